@@ -1,0 +1,1 @@
+//! Realisation of specifications.

@@ -1,0 +1,140 @@
+//! The assembly specification: the text from which everything else is rebuilt.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use crate::canonical;
+use crate::mates::MateType;
+
+/// The version of the specification's format.
+pub const FORMAT: u32 = 1;
+
+/// A specification as a file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Document {
+    /// [`FORMAT`].
+    pub format: u32,
+    /// The assembly.
+    pub assembly: Assembly,
+}
+
+/// An assembly: typed parts and typed mates between their ports.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Assembly {
+    /// Name.
+    pub id: String,
+    /// What it is, in free text.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub description: String,
+    /// The part that stands still and carries the others; the first part where none is named.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub root: Option<String>,
+    /// The parts, in the order in which they were added.
+    #[serde(default)]
+    pub parts: Vec<Part>,
+    /// The mates, in the order in which they were made.
+    #[serde(default)]
+    pub mates: Vec<Mate>,
+}
+
+/// A part: a factory and its parameters.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Part {
+    /// Name, unique in the assembly.
+    pub id: String,
+    /// Name of the factory.
+    pub factory: String,
+    /// The parameters that were given; the factory's defaults fill in the rest.
+    #[serde(default)]
+    pub params: Map<String, Value>,
+}
+
+/// A mate between two ports.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Mate {
+    /// Name, unique in the assembly.
+    pub id: String,
+    /// Type.
+    pub mate_type: MateType,
+    /// The port that stays.
+    pub base: End,
+    /// The port whose part is brought in.
+    pub incoming: End,
+    /// The options that were given; the mate type's defaults fill in the rest.
+    #[serde(default, skip_serializing_if = "Map::is_empty")]
+    pub options: Map<String, Value>,
+}
+
+/// One end of a mate.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct End {
+    /// Name of the part.
+    #[serde(rename = "ref")]
+    pub part: String,
+    /// Name of its port.
+    pub port: String,
+}
+
+impl core::fmt::Display for End {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        write!(f, "{}:{}", self.part, self.port)
+    }
+}
+
+impl Assembly {
+    /// An assembly without parts.
+    #[must_use]
+    pub fn new(id: &str, description: &str) -> Self {
+        Self {
+            id: id.to_owned(),
+            description: description.to_owned(),
+            root: None,
+            parts: Vec::new(),
+            mates: Vec::new(),
+        }
+    }
+
+    /// The name of the part that stands still.
+    #[must_use]
+    pub fn root(&self) -> Option<&str> {
+        self.root
+            .as_deref()
+            .or_else(|| self.parts.first().map(|p| p.id.as_str()))
+    }
+
+    /// The part of a name.
+    #[must_use]
+    pub fn part(&self, id: &str) -> Option<&Part> {
+        self.parts.iter().find(|p| p.id == id)
+    }
+
+    /// The mate of a name.
+    #[must_use]
+    pub fn mate(&self, id: &str) -> Option<&Mate> {
+        self.mates.iter().find(|m| m.id == id)
+    }
+
+    /// The mates that a part takes part in.
+    pub fn mates_of<'a>(&'a self, part: &'a str) -> impl Iterator<Item = &'a Mate> {
+        self.mates
+            .iter()
+            .filter(move |m| m.base.part == part || m.incoming.part == part)
+    }
+
+    /// The SHA-256 of the specification's canonical JSON.
+    ///
+    /// # Errors
+    /// When a number is not finite, which nothing read from JSON is.
+    pub fn hash(&self) -> Result<String, serde_json::Error> {
+        canonical::hash(&Document {
+            format: FORMAT,
+            assembly: self.clone(),
+        })
+    }
+}
