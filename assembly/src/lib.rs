@@ -1,1 +1,45 @@
-//! Realisation of specifications.
+//! Realisation of specifications: build parts, place them, verify, export; the assemblies on disk.
+//!
+//! The specification on disk is the only state. Every operation reads it, and every accepted change
+//! is written back before the operation returns, so that a killed server loses nothing.
+
+pub mod build;
+pub mod edit;
+pub mod export;
+pub mod place;
+pub mod resolve;
+pub mod state;
+pub mod store;
+pub mod verify;
+
+use std::path::Path;
+
+use assemcad_factories::Registry;
+use assemcad_kernel::pool::Pool;
+use assemcad_model::diagnostic::Diagnostic;
+
+use crate::store::Store;
+
+/// Everything that is wrong with a request: never empty.
+pub type Faults = Vec<Diagnostic>;
+
+/// What all operations work with: the factories, the kernel's workers and the assemblies on disk.
+#[derive(Debug)]
+pub struct Workshop {
+    /// The factories.
+    pub registry: Registry,
+    /// The kernel's workers.
+    pub pool: Pool,
+    /// The assemblies on disk.
+    pub store: Store,
+}
+
+impl Workshop {
+    /// A workshop over a root folder, which is made where it is missing.
+    ///
+    /// # Errors
+    /// When the folder cannot be made or opened.
+    pub fn open(root: &Path, registry: Registry, pool: Pool) -> Result<Self, Diagnostic> {
+        Ok(Self { registry, pool, store: Store::open(root)? })
+    }
+}

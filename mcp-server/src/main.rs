@@ -1,2 +1,114 @@
-//! The binary.
-fn main() {}
+//! `assemcad`: the command line.
+//!
+//! Standard output belongs to the protocol; logs go to standard error.
+
+mod eof;
+mod serve;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use assemcad_assembly::Workshop;
+use assemcad_factories::Registry;
+use assemcad_kernel::pool::{Config, Limits, Pool};
+use assemcad_kernel::worker;
+use clap::{Args, Parser, Subcommand};
+
+#[derive(Debug, Parser)]
+#[command(version, about)]
+struct Command {
+    #[command(subcommand)]
+    action: Action,
+}
+
+#[derive(Debug, Subcommand)]
+enum Action {
+    /// Speaks MCP on standard input and output.
+    Serve(Serve),
+    /// Runs the geometry kernel for a server. Started by the server; not for people.
+    #[command(hide = true)]
+    Worker(Worker),
+}
+
+#[derive(Debug, Args)]
+struct Serve {
+    /// Folder that holds the assemblies. Nothing outside it is written.
+    #[arg(long, default_value = ".")]
+    root: PathBuf,
+    /// Folder with further factories, files named NAMESPACE.NAME.star.
+    #[arg(long)]
+    factories: Option<PathBuf>,
+    /// Number of kernel processes; as many as processor cores where it is left out.
+    #[arg(long)]
+    workers: Option<usize>,
+    /// Address space of a kernel process, in MiB.
+    #[arg(long, default_value_t = Limits::default().memory_mb)]
+    worker_memory_mb: u64,
+    /// Processor time of one kernel request, in seconds.
+    #[arg(long, default_value_t = Limits::default().cpu_s)]
+    worker_cpu_s: u64,
+    /// Elapsed time of one kernel request, in seconds, counted from its start.
+    #[arg(long, default_value_t = Limits::default().wall_s)]
+    worker_wall_s: u64,
+}
+
+#[derive(Debug, Args)]
+struct Worker {
+    #[arg(long)]
+    memory_mb: u64,
+    #[arg(long)]
+    cpu_s: u64,
+    #[arg(long)]
+    cache: Option<PathBuf>,
+}
+
+fn main() -> ExitCode {
+    let filter = tracing_subscriber::EnvFilter::try_from_env("ASSEMCAD_LOG")
+        .unwrap_or_else(|_| tracing_subscriber::EnvFilter::new("warn"));
+    tracing_subscriber::fmt().with_writer(std::io::stderr).with_env_filter(filter).init();
+    let done = match Command::parse().action {
+        Action::Serve(options) => serve(options),
+        Action::Worker(options) => {
+            let settings = worker::Settings {
+                memory_mb: options.memory_mb,
+                cpu_s: options.cpu_s,
+                cache: options.cache,
+            };
+            worker::run(settings).map_err(|e| e.to_string())
+        }
+    };
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            tracing::error!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn serve(options: Serve) -> Result<(), String> {
+    let (registry, faults) = Registry::load(options.factories.as_deref());
+    for fault in faults {
+        tracing::warn!("{fault}");
+    }
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let program = std::env::current_exe().map_err(|e| format!("where this program is: {e}"))?;
+    std::fs::create_dir_all(&options.root).map_err(|e| format!("--root: {e}"))?;
+    let root = options.root.canonicalize().map_err(|e| format!("--root: {e}"))?;
+    let pool = Pool::new(Config {
+        program,
+        cache: Some(root.join(".assemcad").join("cache")),
+        workers: options.workers.unwrap_or(cores),
+        limits: Limits {
+            memory_mb: options.worker_memory_mb,
+            cpu_s: options.worker_cpu_s,
+            wall_s: options.worker_wall_s,
+        },
+    });
+    let workshop = Workshop::open(&root, registry, pool).map_err(|d| d.to_string())?;
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .enable_all()
+        .build()
+        .map_err(|e| format!("the runtime: {e}"))?;
+    runtime.block_on(serve::stdio(workshop))
+}

@@ -87,8 +87,6 @@ pub enum Code {
     MateIncompatible,
     /// A mate between a part and itself.
     MateSelf,
-    /// Neither part of the mate has a place yet.
-    MateUnplaced,
     /// A mate does not hold at the parts' places.
     MateResidual,
     /// The kernel refused an operation or made nothing valid of it.
@@ -103,8 +101,6 @@ pub enum Code {
     WorkerMemoryLimit,
     /// A worker could not be started or spoke nonsense.
     WorkerFailed,
-    /// A part is not one valid solid of positive volume.
-    PartInvalid,
     /// Two parts overlap.
     Clash,
     /// A part is not joined to the root.
@@ -121,6 +117,8 @@ pub enum Code {
     FileDamaged,
     /// Something depends on what is to be removed.
     InUse,
+    /// The client took the call back.
+    Cancelled,
     /// A fault of the server itself.
     Internal,
 }

@@ -1,1 +1,183 @@
-//! Tools.
+//! The tools that agents call: one file each, with its arguments, its answer and its handler.
+//!
+//! A tool knows nothing of the protocol that carries it. Its schemas come from its Rust types; its
+//! arguments are checked against them before it runs, so that every fault is told in one shape.
+
+use assemcad_assembly::{Faults, Workshop};
+use futures::future::BoxFuture;
+use schemars::JsonSchema;
+use schemars::generate::SchemaSettings;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use serde_json::{Map, Value};
+
+mod add_part;
+mod arguments;
+mod describe_factory;
+mod export_step;
+mod get_assembly;
+mod list_assemblies;
+mod list_factories;
+mod mate;
+mod new_assembly;
+mod remove;
+mod verify;
+
+/// One tool.
+trait Tool: 'static {
+    /// Its arguments, a flat object.
+    type Arguments: DeserializeOwned + JsonSchema + Send;
+    /// Its answer, an object.
+    type Answer: Serialize + JsonSchema + Send;
+    /// Verb and noun in snake case, at most 32 characters.
+    const NAME: &'static str;
+    /// For people: a few words.
+    const TITLE: &'static str;
+    /// For models: the point first, and when not to use it; at most 600 characters.
+    const DESCRIPTION: &'static str;
+    /// What it does to the assemblies.
+    const EFFECT: Effect;
+
+    /// Does it.
+    fn run(
+        workshop: &Workshop,
+        arguments: Self::Arguments,
+    ) -> impl Future<Output = Result<Self::Answer, Faults>> + Send;
+}
+
+/// What a tool does to the assemblies. All tools may be called twice with the same effect as once.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Effect {
+    /// Nothing is changed.
+    Reads,
+    /// Something is added; nothing is lost.
+    Adds,
+    /// Something is removed or replaced.
+    Removes,
+}
+
+type Handler = for<'a> fn(&'a Workshop, Value) -> BoxFuture<'a, Result<Value, Faults>>;
+
+/// A tool as a server offers it.
+#[derive(Debug)]
+pub struct Offer {
+    /// Name.
+    pub name: &'static str,
+    /// For people.
+    pub title: &'static str,
+    /// For models.
+    pub description: &'static str,
+    /// What it does to the assemblies.
+    pub effect: Effect,
+    /// JSON Schema of the arguments; an object at the root.
+    pub input_schema: Map<String, Value>,
+    /// JSON Schema of the answer; an object at the root.
+    pub output_schema: Map<String, Value>,
+    validator: Option<jsonschema::Validator>,
+    handler: Handler,
+}
+
+impl Offer {
+    fn of<T: Tool>() -> Self {
+        let input_schema = schema::<T::Arguments>();
+        Self {
+            name: T::NAME,
+            title: T::TITLE,
+            description: T::DESCRIPTION,
+            effect: T::EFFECT,
+            validator: jsonschema::validator_for(&Value::Object(input_schema.clone())).ok(),
+            input_schema,
+            output_schema: schema::<T::Answer>(),
+            handler: |workshop, arguments| {
+                Box::pin(async move {
+                    let arguments = serde_json::from_value(arguments)
+                        .map_err(|_| vec![arguments::unreadable(T::NAME)])?;
+                    let answer = T::run(workshop, arguments).await?;
+                    serde_json::to_value(answer).map_err(|_| vec![arguments::unwritable(T::NAME)])
+                })
+            },
+        }
+    }
+
+    /// Checks the arguments and runs the tool.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the arguments, or else with what they ask for.
+    pub async fn call(&self, workshop: &Workshop, given: Value) -> Result<Value, Faults> {
+        let Some(validator) = &self.validator else {
+            return Err(vec![arguments::unreadable(self.name)]);
+        };
+        arguments::check(validator, &self.input_schema, &given)?;
+        (self.handler)(workshop, given).await
+    }
+}
+
+/// Every tool, sorted by name.
+#[must_use]
+pub fn all() -> Vec<Offer> {
+    vec![
+        Offer::of::<add_part::AddPart>(),
+        Offer::of::<describe_factory::DescribeFactory>(),
+        Offer::of::<export_step::ExportStep>(),
+        Offer::of::<get_assembly::GetAssembly>(),
+        Offer::of::<list_assemblies::ListAssemblies>(),
+        Offer::of::<list_factories::ListFactories>(),
+        Offer::of::<mate::MakeMate>(),
+        Offer::of::<new_assembly::NewAssembly>(),
+        Offer::of::<remove::Remove>(),
+        Offer::of::<verify::Verify>(),
+    ]
+}
+
+/// The schema of a type with everything inlined: some clients do not follow references.
+fn schema<T: JsonSchema>() -> Map<String, Value> {
+    let generator = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true);
+    let mut schema = generator.into_generator().into_root_schema_for::<T>().to_value();
+    match schema.as_object_mut() {
+        Some(object) => {
+            object.remove("$schema");
+            object.remove("title");
+            core::mem::take(object)
+        }
+        None => Map::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Effect, all};
+
+    #[test]
+    fn every_file_is_a_tool_that_is_listed() {
+        let files = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/src")).unwrap();
+        let mut files: Vec<String> = files
+            .map(|f| f.unwrap().file_name().into_string().unwrap())
+            .map(|f| f.trim_end_matches(".rs").to_owned())
+            .filter(|f| f != "lib" && f != "arguments")
+            .collect();
+        files.sort();
+        let listed: Vec<&str> = all().iter().map(|t| t.name).collect();
+        assert_eq!(files, listed);
+    }
+
+    #[test]
+    fn every_tool_is_fit_for_clients() {
+        for tool in all() {
+            let name = tool.name;
+            assert!(name.len() <= 32 && name.chars().all(|c| c.is_ascii_lowercase() || c == '_'));
+            assert!(tool.description.len() <= 600, "{name}: {}", tool.description.len());
+            assert!(tool.validator.is_some(), "{name}");
+            for schema in [&tool.input_schema, &tool.output_schema] {
+                assert_eq!(schema["type"], "object", "{name}");
+                for key in ["oneOf", "anyOf", "allOf", "$ref", "$defs"] {
+                    assert!(!schema.contains_key(key), "{name} has {key} at the root");
+                }
+            }
+            assert_eq!(tool.input_schema["additionalProperties"], false, "{name}");
+            for (field, schema) in tool.input_schema["properties"].as_object().into_iter().flatten() {
+                assert!(schema.get("description").is_some(), "{name}.{field} has no description");
+            }
+            assert!(tool.effect != Effect::Removes || name == "remove");
+        }
+    }
+}

@@ -1,0 +1,263 @@
+//! Changes to an assembly. Each is checked whole, then written to disk, then answered; a refused one
+//! leaves the assembly as it was.
+
+use assemcad_kernel::protocol::Built;
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::mates::Residual;
+use assemcad_model::report::rounded;
+use assemcad_model::spec::{Assembly, Mate, Part};
+use serde_json::json;
+
+use crate::resolve::{self, ResolvedMate, ResolvedPart};
+use crate::state::State;
+use crate::store::check_name;
+use crate::{Faults, Workshop, place};
+
+/// Whether a change changed anything: a call made twice changes nothing the second time.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Change {
+    /// It did.
+    Made,
+    /// All was already so.
+    None,
+}
+
+/// A part as it was added.
+#[derive(Debug)]
+pub struct Added {
+    /// Whether it is new.
+    pub change: Change,
+    /// Recipe and ports.
+    pub part: ResolvedPart,
+    /// What was measured of its solid.
+    pub built: Built,
+    /// The assembly now.
+    pub state: State,
+}
+
+/// A mate as it was made.
+#[derive(Debug)]
+pub struct Mated {
+    /// Whether it is new.
+    pub change: Change,
+    /// Ports and options.
+    pub mate: ResolvedMate,
+    /// How far it is from holding; none while one of its parts has no place.
+    pub residual: Option<Residual>,
+    /// The assembly now.
+    pub state: State,
+}
+
+impl Workshop {
+    /// Makes an assembly without parts.
+    ///
+    /// # Errors
+    /// When the name is none, or another assembly has it.
+    pub async fn new_assembly(&self, id: &str, description: &str) -> Result<(Change, State), Faults> {
+        self.store.make_folder(id).map_err(one)?;
+        let _lock = self.store.lock(id).await.map_err(one)?;
+        let change = if self.store.exists(id) {
+            let there = self.store.load(id).map_err(one)?;
+            if there.description != description {
+                return Err(one(Diagnostic::error(
+                    Code::NameTaken,
+                    "assembly",
+                    format!("there is an assembly '{id}' with another description"),
+                )
+                .found(there.description)
+                .hint("choose another name, or go on with the one there is")
+                .next("get_assembly", json!({"assembly": id}))));
+            }
+            Change::None
+        } else {
+            self.store.save(&Assembly::new(id, description)).map_err(one)?;
+            Change::Made
+        };
+        Ok((change, self.state(id)?))
+    }
+
+    /// The state of an assembly.
+    ///
+    /// # Errors
+    /// When it does not exist or no longer resolves.
+    pub fn state(&self, id: &str) -> Result<State, Faults> {
+        let spec = self.store.load(id).map_err(one)?;
+        let resolved = resolve::assembly(&self.registry, &spec)?;
+        State::of(&spec, &resolved).map_err(one)
+    }
+
+    /// Adds a part. Its solid is made first: a part that cannot be made is not added.
+    ///
+    /// # Errors
+    /// Everything that is wrong with its name, factory, parameters or solid.
+    pub async fn add_part(&self, assembly: &str, part: Part) -> Result<Added, Faults> {
+        let _lock = self.store.lock(assembly).await.map_err(one)?;
+        let mut spec = self.store.load(assembly).map_err(one)?;
+        let mut faults: Faults = check_name("part", &part.id).err().into_iter().collect();
+        let change = match spec.part(&part.id) {
+            Some(there) if *there == part => Change::None,
+            Some(there) => {
+                faults.push(taken("part", "part", assembly, &part.id).found(json!({
+                    "factory": there.factory, "params": there.params,
+                })));
+                Change::None
+            }
+            None => Change::Made,
+        };
+        let resolved = match resolve::part(&self.registry, &part, "") {
+            Ok(resolved) => resolved,
+            Err(more) => {
+                faults.extend(more);
+                return Err(faults);
+            }
+        };
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let built = self.build(&resolved).await.map_err(one)?;
+        if change == Change::Made {
+            spec.parts.push(part);
+        }
+        let state = self.commit(&spec, change)?;
+        Ok(Added { change, part: resolved, built, state })
+    }
+
+    /// Makes a mate. The first that joins a part without a place to one with a place places it; one
+    /// between placed parts closes a loop, and must hold where they are.
+    ///
+    /// # Errors
+    /// Everything that is wrong with its name, ports, type or options, or by how much it does not hold.
+    pub async fn mate(&self, assembly: &str, mate: Mate) -> Result<Mated, Faults> {
+        let _lock = self.store.lock(assembly).await.map_err(one)?;
+        let mut spec = self.store.load(assembly).map_err(one)?;
+        let before = resolve::assembly(&self.registry, &spec)?;
+        let mut faults: Faults = check_name("id", &mate.id).err().into_iter().collect();
+        let change = match spec.mate(&mate.id) {
+            Some(there) if *there == mate => Change::None,
+            Some(there) => {
+                faults.push(taken("mate", "id", assembly, &mate.id).found(json!({
+                    "mate_type": there.mate_type, "base": there.base.to_string(),
+                    "incoming": there.incoming.to_string(), "options": there.options,
+                })));
+                Change::None
+            }
+            None => Change::Made,
+        };
+        let at = |field: &str| argument(field);
+        let resolved = match resolve::mate(&before.parts, assembly, &mate, &at) {
+            Ok(resolved) => resolved,
+            Err(more) => {
+                faults.extend(more);
+                return Err(faults);
+            }
+        };
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        if change == Change::Made {
+            spec.mates.push(mate);
+        }
+        let after = resolve::assembly(&self.registry, &spec)?;
+        let placed = place::assembly(&after).map_err(one)?;
+        let residual = placed.residual(&resolved).map_err(one)?;
+        if let Some(r) = residual.filter(|r| change == Change::Made && !r.holds()) {
+            return Err(one(does_not_hold(&resolved, &r)));
+        }
+        let state = self.commit(&spec, change)?;
+        Ok(Mated { change, mate: resolved, residual, state })
+    }
+
+    /// Removes a mate.
+    ///
+    /// # Errors
+    /// When there is none of this name.
+    pub async fn remove_mate(&self, assembly: &str, id: &str) -> Result<State, Faults> {
+        let _lock = self.store.lock(assembly).await.map_err(one)?;
+        let mut spec = self.store.load(assembly).map_err(one)?;
+        if spec.mate(id).is_none() {
+            let names: Vec<&str> = spec.mates.iter().map(|m| m.id.as_str()).collect();
+            return Err(one(Diagnostic::error(
+                Code::MateUnknown,
+                "name",
+                format!("there is no mate '{}'", assemcad_model::param::clip(id)),
+            )
+            .found(id)
+            .expected(json!(names))));
+        }
+        spec.mates.retain(|m| m.id != id);
+        self.commit(&spec, Change::Made)
+    }
+
+    /// Removes a part that no mate uses.
+    ///
+    /// # Errors
+    /// When there is none of this name, or mates use it.
+    pub async fn remove_part(&self, assembly: &str, id: &str) -> Result<State, Faults> {
+        let _lock = self.store.lock(assembly).await.map_err(one)?;
+        let mut spec = self.store.load(assembly).map_err(one)?;
+        let resolved = resolve::assembly(&self.registry, &spec)?;
+        if spec.part(id).is_none() {
+            return Err(one(resolve::part_unknown(&resolved.parts, id, "name")));
+        }
+        let users: Vec<&str> = spec.mates_of(id).map(|m| m.id.as_str()).collect();
+        if let Some(first) = users.first() {
+            return Err(one(Diagnostic::error(
+                Code::InUse,
+                "name",
+                format!("part '{id}' is joined by {} mate(s)", users.len()),
+            )
+            .found(json!(users))
+            .hint("remove these mates first")
+            .next("remove", json!({"assembly": assembly, "kind": "mate", "name": first}))));
+        }
+        spec.parts.retain(|p| p.id != id);
+        if spec.root.as_deref() == Some(id) {
+            spec.root = None;
+        }
+        self.commit(&spec, Change::Made)
+    }
+
+    /// Checks the whole specification, writes it, and gives the state it is in.
+    fn commit(&self, spec: &Assembly, change: Change) -> Result<State, Faults> {
+        let resolved = resolve::assembly(&self.registry, spec)?;
+        let state = State::of(spec, &resolved).map_err(one)?;
+        if change == Change::Made {
+            self.store.save(spec).map_err(one)?;
+        }
+        Ok(state)
+    }
+}
+
+/// The argument of the `mate` tool that holds a field of a mate: its options are arguments of their own.
+fn argument(field: &str) -> String {
+    match field {
+        "options" => "arguments".to_owned(),
+        other => other.to_owned(),
+    }
+}
+
+fn one(d: Diagnostic) -> Faults {
+    vec![d]
+}
+
+fn taken(kind: &str, place: &str, assembly: &str, name: &str) -> Diagnostic {
+    Diagnostic::error(Code::NameTaken, place, format!("there is another {kind} '{name}'"))
+        .hint(format!("choose another name, or remove the {kind} that has it"))
+        .next("remove", json!({"assembly": assembly, "kind": kind, "name": name}))
+}
+
+fn does_not_hold(m: &ResolvedMate, r: &Residual) -> Diagnostic {
+    Diagnostic::error(
+        Code::MateResidual,
+        "mate",
+        format!(
+            "both parts have a place already, and there '{}' and '{}' are {} mm and {} degrees from this mate",
+            m.mate.base, m.mate.incoming, rounded(r.distance_mm), rounded(r.angle_deg),
+        ),
+    )
+    .found(json!({"distance_mm": rounded(r.distance_mm), "angle_deg": rounded(r.angle_deg)}))
+    .expected(json!({
+        "distance_mm": Residual::MAX_DISTANCE_MM, "angle_deg": Residual::MAX_ANGLE_DEG,
+    }))
+    .hint("change the options of the mates that placed these parts, or remove one of them")
+}

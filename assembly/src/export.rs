@@ -1,0 +1,222 @@
+//! STEP files of assemblies.
+
+use assemcad_kernel::protocol::{Instance, Job, Product, Reply, StepFacts};
+use assemcad_model::canonical::sha256;
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::report::{Report, Verdict};
+use futures::future::join_all;
+use serde_json::json;
+
+use crate::build::{diagnostic, unexpected};
+use crate::resolve::{self, Resolved};
+use crate::state::hash;
+use crate::store::file_of;
+use crate::verify::report_file;
+use crate::{Faults, Workshop, place};
+
+/// Colours of products, given out in the order in which products first appear: muted tones that
+/// are told apart next to each other.
+const PALETTE: [[f64; 3]; 8] = [
+    [0.62, 0.65, 0.69],
+    [0.33, 0.51, 0.70],
+    [0.80, 0.62, 0.33],
+    [0.45, 0.62, 0.45],
+    [0.72, 0.45, 0.42],
+    [0.55, 0.49, 0.69],
+    [0.41, 0.64, 0.66],
+    [0.74, 0.70, 0.52],
+];
+
+/// How far a volume may be from what it was when a STEP file is read back, relative.
+const READ_BACK_TOLERANCE: f64 = 1e-6;
+
+/// How far a centre of mass may be from its place then, in mm.
+const READ_BACK_MM: f64 = 1e-5;
+
+/// An exported file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Exported {
+    /// Its path below the root.
+    pub file: String,
+    /// Its length.
+    pub bytes: usize,
+    /// Its SHA-256.
+    pub sha256: String,
+    /// SHA-256 of the specification, as in the file's header.
+    pub specification_sha256: String,
+    /// How many distinct solids it holds.
+    pub products: usize,
+    /// How many parts it holds.
+    pub instances: usize,
+    /// The verdict of the report on this very specification; none where there is no such report.
+    pub verdict: Option<Verdict>,
+}
+
+impl Workshop {
+    /// Exports an assembly as STEP (AP242) to a file below the root.
+    ///
+    /// The file is read back before it is written: names, count and volumes must be what they are in
+    /// the assembly.
+    ///
+    /// # Errors
+    /// When parts have no place or cannot be made, or the file cannot be written.
+    pub async fn export_step(&self, id: &str, file: Option<&str>) -> Result<Exported, Faults> {
+        let one = |d: Diagnostic| vec![d];
+        let file = match file {
+            None => file_of(id, &format!("{id}.step")),
+            Some(f) if f.ends_with(".step") || f.ends_with(".stp") => f.to_owned(),
+            Some(f) => {
+                return Err(one(Diagnostic::error(
+                    Code::PathInvalid,
+                    "file",
+                    "the name of a STEP file ends in .step or .stp",
+                )
+                .found(f)));
+            }
+        };
+        let spec = self.store.load(id).map_err(one)?;
+        let resolved = resolve::assembly(&self.registry, &spec)?;
+        let measured = self.ready(id, &resolved).await?;
+        let specification_sha256 = hash(&spec).map_err(one)?;
+        let (solids, instances) = tree(&resolved).map_err(one)?;
+        let job = Job::Step {
+            name: id.to_owned(),
+            description: vec![
+                "assemcad assembly".to_owned(),
+                format!("specification sha256 {specification_sha256}"),
+            ],
+            solids,
+            instances,
+        };
+        let (facts, bytes) = match self.pool.run_fresh(&job).await {
+            Ok((Reply::Step(facts), bytes)) => (facts, bytes),
+            Ok(_) => return Err(one(unexpected(&job))),
+            Err(f) => return Err(one(diagnostic(&f, "export_step"))),
+        };
+        check_read_back(&resolved, &measured, &facts).map_err(one)?;
+        self.store.write(&file, &bytes).map_err(one)?;
+        let report: Option<Report> = self.store.read_json(&report_file(id));
+        let Job::Step { solids, instances, .. } = &job else { return Err(one(unexpected(&job))) };
+        Ok(Exported {
+            file,
+            bytes: bytes.len(),
+            sha256: sha256(&bytes),
+            products: solids.len(),
+            instances: instances.len(),
+            verdict: report
+                .filter(|r| r.specification_sha256 == specification_sha256)
+                .map(|r| r.verdict),
+            specification_sha256,
+        })
+    }
+
+    /// Volume and centre in the world of all parts; every part must have a place and be made.
+    async fn ready(
+        &self,
+        id: &str,
+        resolved: &Resolved,
+    ) -> Result<Vec<(f64, [f64; 3])>, Faults> {
+        if resolved.parts.is_empty() {
+            return Err(vec![
+                Diagnostic::error(Code::AssemblyEmpty, "assembly", format!("'{id}' has no parts"))
+                    .next("list_factories", json!({})),
+            ]);
+        }
+        let placed = place::assembly(resolved).map_err(|d| vec![d])?;
+        let lost = |(i, p): (usize, &resolve::ResolvedPart)| {
+            placed.of(i).is_none().then(|| {
+                Diagnostic::error(
+                    Code::Unconnected,
+                    format!("part '{}'", p.id),
+                    format!("'{}' has no place: no mate joins it to the root", p.id),
+                )
+                .hint("join it with the mate tool, or take it away with the remove tool")
+            })
+        };
+        let mut faults: Faults = resolved.parts.iter().enumerate().filter_map(lost).collect();
+        let mut solids = Vec::new();
+        let built = join_all(resolved.parts.iter().map(|p| self.build(p))).await;
+        for (i, built) in built.into_iter().enumerate() {
+            match (built, placed.of(i)) {
+                (Ok(b), Some(at)) => solids.push((b.volume, at.point(b.centre))),
+                (Ok(_), None) => {}
+                (Err(d), _) => faults.push(d),
+            }
+        }
+        if faults.is_empty() { Ok(solids) } else { Err(faults) }
+    }
+}
+
+/// The distinct solids, in the order in which they first appear, and the parts as their instances.
+fn tree(resolved: &Resolved) -> Result<(Vec<Product>, Vec<Instance>), Diagnostic> {
+    let placed = place::assembly(resolved)?;
+    let mut hashes: Vec<String> = Vec::new();
+    let mut products: Vec<Product> = Vec::new();
+    let mut instances = Vec::new();
+    for (i, part) in resolved.parts.iter().enumerate() {
+        let recipe = &part.made.recipe;
+        let hash = recipe
+            .hash()
+            .map_err(|e| Diagnostic::error(Code::Internal, &part.id, e.to_string()))?;
+        let solid = match hashes.iter().position(|h| *h == hash) {
+            Some(there) => there,
+            None => {
+                let same = |p: &&Product| {
+                    p.name == part.factory || p.name.starts_with(&format!("{}-", part.factory))
+                };
+                let name = match products.iter().filter(same).count() {
+                    0 => part.factory.clone(),
+                    n => format!("{}-{}", part.factory, n + 1),
+                };
+                let color = PALETTE.get(products.len() % PALETTE.len()).copied();
+                products.push(Product {
+                    name,
+                    recipe: recipe.clone(),
+                    color: color.unwrap_or_default(),
+                });
+                hashes.push(hash);
+                products.len() - 1
+            }
+        };
+        let placement = placed.of(i).unwrap_or_default();
+        instances.push(Instance { name: part.id.clone(), solid, placement: placement.into() });
+    }
+    Ok((products, instances))
+}
+
+fn check_read_back(
+    resolved: &Resolved,
+    solids: &[(f64, [f64; 3])],
+    facts: &StepFacts,
+) -> Result<(), Diagnostic> {
+    let wrong = |what: String| {
+        Diagnostic::error(
+            Code::KernelFailed,
+            "export_step",
+            format!("the STEP file does not hold what the assembly is: {what}; nothing was written"),
+        )
+    };
+    if facts.instances.len() != resolved.parts.len() {
+        return Err(wrong(format!(
+            "{} parts instead of {}",
+            facts.instances.len(),
+            resolved.parts.len()
+        )));
+    }
+    for (part, (volume, centre)) in resolved.parts.iter().zip(solids) {
+        let Some(leaf) = facts.instances.iter().find(|leaf| leaf.name == part.id) else {
+            return Err(wrong(format!("no part '{}'", part.id)));
+        };
+        let near = (leaf.volume - volume).abs() <= READ_BACK_TOLERANCE * volume;
+        if !near {
+            let read = leaf.volume;
+            return Err(wrong(format!("part '{}' has {read} mm3 instead of {volume}", part.id)));
+        }
+        let off = leaf.centre.iter().zip(centre).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let near = off <= READ_BACK_MM;
+        if !near {
+            return Err(wrong(format!("part '{}' lies {off} mm from its place", part.id)));
+        }
+    }
+    Ok(())
+}

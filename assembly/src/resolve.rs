@@ -1,0 +1,277 @@
+//! From the names in a specification to recipes and ports.
+
+use std::sync::Arc;
+
+use assemcad_factories::Registry;
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::mates::Options;
+use assemcad_model::name::nearest;
+use assemcad_model::param::clip;
+use assemcad_model::ports::Port;
+use assemcad_model::spec::{Assembly, End, Mate, Part};
+use assemcad_script::Evaluated;
+use serde_json::json;
+
+use crate::Faults;
+
+/// A part with its recipe and ports.
+#[derive(Debug, Clone)]
+pub struct ResolvedPart {
+    /// Name.
+    pub id: String,
+    /// Name of the factory.
+    pub factory: String,
+    /// Recipe, ports, and the source lines of the recipe's operations.
+    pub made: Arc<Evaluated>,
+}
+
+impl ResolvedPart {
+    /// The part's ports.
+    #[must_use]
+    pub fn ports(&self) -> &[Port] {
+        &self.made.recipe.ports
+    }
+}
+
+/// A mate with its parts (by index), ports and checked options.
+#[derive(Debug, Clone)]
+pub struct ResolvedMate {
+    /// The mate as it is written.
+    pub mate: Mate,
+    /// Index of the base part.
+    pub base: usize,
+    /// Index of the incoming part.
+    pub incoming: usize,
+    /// The base port.
+    pub base_port: Port,
+    /// The incoming port.
+    pub incoming_port: Port,
+    /// The options, complete.
+    pub options: Options,
+}
+
+/// A specification all of whose names were found.
+#[derive(Debug, Clone)]
+pub struct Resolved {
+    /// The parts, in the specification's order.
+    pub parts: Vec<ResolvedPart>,
+    /// The mates, in the specification's order.
+    pub mates: Vec<ResolvedMate>,
+    /// Index of the root part; none in an assembly without parts.
+    pub root: Option<usize>,
+}
+
+/// Resolves a whole specification.
+///
+/// # Errors
+/// Everything that is wrong with its parts, or, where they are in order, with its mates.
+pub fn assembly(registry: &Registry, spec: &Assembly) -> Result<Resolved, Faults> {
+    let mut parts = Vec::new();
+    let mut faults = Vec::new();
+    for (i, p) in spec.parts.iter().enumerate() {
+        match part(registry, p, &format!("parts[{i}]")) {
+            Ok(p) => parts.push(p),
+            Err(more) => faults.extend(more),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let mut mates = Vec::new();
+    for (i, m) in spec.mates.iter().enumerate() {
+        let place = format!("mates[{i}]");
+        match mate(&parts, &spec.id, m, &|field| format!("{place}.{field}")) {
+            Ok(m) => mates.push(m),
+            Err(more) => faults.extend(more),
+        }
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let root = match spec.root() {
+        None => None,
+        Some(id) => Some(index(&parts, id).ok_or_else(|| vec![part_unknown(&parts, id, "root")])?),
+    };
+    Ok(Resolved { parts, mates, root })
+}
+
+/// Resolves one part: its factory found, its parameters checked, its recipe made.
+///
+/// # Errors
+/// Everything that is wrong with factory and parameters, `place` leading the paths.
+pub fn part(registry: &Registry, part: &Part, place: &str) -> Result<ResolvedPart, Faults> {
+    let at = |field: &str| {
+        if place.is_empty() { field.to_owned() } else { format!("{place}.{field}") }
+    };
+    let factory = registry.get(&part.factory).map_err(|d| vec![d.at(at("factory"))])?;
+    let made = factory.build(&part.params).map_err(|faults| {
+        let under = |d: Diagnostic| {
+            let inner = d.place.clone();
+            if inner.starts_with("params") { d.at(at(&inner)) } else { d }
+        };
+        faults.into_iter().map(under).collect::<Faults>()
+    })?;
+    Ok(ResolvedPart {
+        id: part.id.clone(),
+        factory: part.factory.clone(),
+        made: Arc::new(made),
+    })
+}
+
+/// Resolves one mate: parts and ports found, types compatible, options complete, conditions met.
+///
+/// `at` gives the place of a field in what the reader wrote.
+///
+/// # Errors
+/// Everything that is wrong with it.
+pub fn mate(
+    parts: &[ResolvedPart],
+    assembly: &str,
+    mate: &Mate,
+    at: &dyn Fn(&str) -> String,
+) -> Result<ResolvedMate, Faults> {
+    let mut faults = Vec::new();
+    let mut find = |end: &End, field: &str| match port(parts, end, &at(field)) {
+        Ok(found) => Some(found),
+        Err(d) => {
+            faults.push(d);
+            None
+        }
+    };
+    let base = find(&mate.base, "base");
+    let incoming = find(&mate.incoming, "incoming");
+    let kind = mate.mate_type.kind();
+    let options = match kind.check_options(&mate.options, &at("options")) {
+        Ok(options) => Some(options),
+        Err(more) => {
+            faults.extend(more);
+            None
+        }
+    };
+    if let (Some((base, base_port)), Some((incoming, incoming_port))) = (base, incoming) {
+        if base == incoming {
+            faults.push(
+                Diagnostic::error(
+                    Code::MateSelf,
+                    at("incoming"),
+                    format!("a mate joins two parts, and this one joins '{}' to itself", mate.base.part),
+                )
+                .found(mate.incoming.to_string()),
+            );
+        } else if !kind.joins(base_port.port_type, incoming_port.port_type) {
+            faults.push(incompatible(parts, assembly, mate, (base, base_port), (incoming, incoming_port), at));
+        } else {
+            faults.extend(kind.conditions(base_port, incoming_port).into_iter().map(|c| {
+                Diagnostic::error(Code::MateIncompatible, at("incoming"), c.message)
+                    .found(c.found)
+                    .expected(c.expected)
+            }));
+            if let (true, Some(options)) = (faults.is_empty(), options) {
+                return Ok(ResolvedMate {
+                    mate: mate.clone(),
+                    base,
+                    incoming,
+                    base_port: base_port.clone(),
+                    incoming_port: incoming_port.clone(),
+                    options,
+                });
+            }
+        }
+    }
+    Err(faults)
+}
+
+fn index(parts: &[ResolvedPart], id: &str) -> Option<usize> {
+    parts.iter().position(|p| p.id == id)
+}
+
+fn port<'a>(
+    parts: &'a [ResolvedPart],
+    end: &End,
+    place: &str,
+) -> Result<(usize, &'a Port), Diagnostic> {
+    let Some((i, part)) = parts.iter().enumerate().find(|(_, p)| p.id == end.part) else {
+        return Err(part_unknown(parts, &end.part, place));
+    };
+    if let Some(port) = part.ports().iter().find(|p| p.name == end.port) {
+        return Ok((i, port));
+    }
+    let names: Vec<&str> = part.ports().iter().map(|p| p.name.as_str()).collect();
+    let d = Diagnostic::error(
+        Code::PortUnknown,
+        place,
+        format!("part '{}' ({}) has no port '{}'", part.id, part.factory, clip(&end.port)),
+    )
+    .found(end.port.as_str())
+    .expected(json!(names));
+    Err(match nearest(&end.port, names, 1).first() {
+        Some(near) => d.hint(format!("did you mean '{}:{near}'?", part.id)),
+        None => d,
+    })
+}
+
+/// The diagnostic for a part that is not there.
+#[must_use]
+pub fn part_unknown(parts: &[ResolvedPart], id: &str, place: &str) -> Diagnostic {
+    let names: Vec<&str> = parts.iter().map(|p| p.id.as_str()).collect();
+    let d = Diagnostic::error(Code::PartUnknown, place, format!("there is no part '{}'", clip(id)))
+        .found(id)
+        .expected(json!(names));
+    match nearest(id, names, 1).first() {
+        Some(near) => d.hint(format!("did you mean '{near}'?")),
+        None => d,
+    }
+}
+
+/// The diagnostic for ports that this mate type does not join: says what would.
+fn incompatible(
+    parts: &[ResolvedPart],
+    assembly: &str,
+    mate: &Mate,
+    (base, base_port): (usize, &Port),
+    (incoming, incoming_port): (usize, &Port),
+    at: &dyn Fn(&str) -> String,
+) -> Diagnostic {
+    let kind = mate.mate_type.kind();
+    let fitting = |i: usize, fits: &dyn Fn(&Port) -> bool| -> Vec<String> {
+        let ports = parts.get(i).map(ResolvedPart::ports).unwrap_or_default();
+        let named = |p: &Port| format!("{}:{}", parts.get(i).map_or("", |p| &p.id), p.name);
+        ports.iter().filter(|p| fits(p)).map(named).collect()
+    };
+    let types = assemcad_model::mates::joining(base_port.port_type, incoming_port.port_type);
+    let for_incoming = fitting(incoming, &|p| kind.joins(base_port.port_type, p.port_type));
+    let for_base = fitting(base, &|p| kind.joins(p.port_type, incoming_port.port_type));
+    let mut next = json!({
+        "assembly": assembly, "id": mate.id, "mate_type": mate.mate_type,
+        "base": mate.base.to_string(), "incoming": mate.incoming.to_string(),
+    });
+    let mended = if let Some(t) = types.first() {
+        Some(("mate_type", json!(t)))
+    } else if let Some(p) = for_incoming.first() {
+        Some(("incoming", json!(p)))
+    } else {
+        for_base.first().map(|p| ("base", json!(p)))
+    };
+    let d = Diagnostic::error(
+        Code::MateIncompatible,
+        at("mate_type"),
+        format!(
+            "{} does not join '{}' ({}) with '{}' ({})",
+            kind.name, mate.base, base_port.port_type, mate.incoming, incoming_port.port_type
+        ),
+    )
+    .found(json!([kind.name, base_port.port_type, incoming_port.port_type]))
+    .expected(json!({
+        "mate_types_for_these_ports": types,
+        "incoming_ports_for_this_mate_and_base": for_incoming,
+        "base_ports_for_this_mate_and_incoming": for_base,
+        "port_pairs_of_this_mate": kind.pairs,
+    }));
+    match (mended, next.as_object_mut()) {
+        (Some((field, value)), Some(call)) => {
+            call.insert(field.to_owned(), value);
+            d.next("mate", next)
+        }
+        _ => d.hint("no port of one of these parts fits any port of the other under this mate type"),
+    }
+}

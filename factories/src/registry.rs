@@ -1,0 +1,235 @@
+//! The factories that there are, and what they make.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::{Arc, LazyLock, Mutex, PoisonError};
+
+use assemcad_model::canonical;
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::name;
+use assemcad_model::param::{ParamSpec, clip};
+use assemcad_model::ports::Port;
+use assemcad_script::{Evaluated, Factory};
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+use crate::builtin;
+
+/// So many results of evaluations are kept.
+const MOST_KEPT: usize = 256;
+
+/// The largest factory file that is read, in bytes; longer ones are refused before they are in memory.
+const MOST_FILE_BYTES: u64 = 1 << 20;
+
+/// Factories by name.
+#[derive(Debug, Default)]
+pub struct Registry {
+    factories: BTreeMap<String, Factory>,
+    kept: Mutex<Kept>,
+}
+
+/// Results of evaluations by name and canonical parameters.
+#[derive(Debug, Default)]
+struct Kept {
+    results: BTreeMap<(String, Vec<u8>), Arc<Evaluated>>,
+}
+
+/// What there is to know about a factory.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Described {
+    /// Name.
+    pub name: String,
+    /// What it makes, its frame and its ports.
+    pub doc: String,
+    /// The parameters in order of declaration.
+    pub params: Vec<ParamSpec>,
+    /// The JSON Schema of the parameters.
+    pub schema: Value,
+    /// The ports at the default parameters, in the part's frame.
+    pub ports: Vec<Port>,
+    /// SHA-256 of the source.
+    pub source_sha256: String,
+}
+
+/// Whether a text may name a factory: `NAMESPACE.NAME`, both valid names.
+#[must_use]
+pub fn is_valid_name(text: &str) -> bool {
+    text.split_once('.').is_some_and(|(space, rest)| name::is_valid(space) && name::is_valid(rest))
+}
+
+impl Registry {
+    /// The built-in factories, read once.
+    #[must_use]
+    pub fn builtin() -> &'static Self {
+        static BUILTIN: LazyLock<Registry> = LazyLock::new(|| Registry::load(None).0);
+        &BUILTIN
+    }
+
+    /// The built-in factories and those of a folder of `NAMESPACE.NAME.star` files.
+    ///
+    /// What is at fault is reported and left out; the rest is there. A file cannot take the place of a
+    /// built-in factory: two sources under one name would make one specification mean two things.
+    #[must_use]
+    pub fn load(extra: Option<&Path>) -> (Self, Vec<Diagnostic>) {
+        let mut registry = Self::default();
+        let mut found = Vec::new();
+        for (name, source) in builtin::ALL {
+            registry.add(name, source, &mut found);
+        }
+        if let Some(folder) = extra {
+            registry.add_folder(folder, &mut found);
+        }
+        (registry, found)
+    }
+
+    fn add(&mut self, name: &str, source: &str, found: &mut Vec<Diagnostic>) {
+        match Factory::parse(name, source) {
+            Ok(factory) => {
+                self.factories.insert(name.to_owned(), factory);
+            }
+            Err(faults) => found.extend(faults),
+        }
+    }
+
+    fn add_folder(&mut self, folder: &Path, found: &mut Vec<Diagnostic>) {
+        let entries = match std::fs::read_dir(folder) {
+            Ok(entries) => entries,
+            Err(e) => {
+                found.push(
+                    Diagnostic::error(
+                        Code::FileFailed,
+                        folder.display().to_string(),
+                        "the folder of factories cannot be read",
+                    )
+                    .hint(e.kind().to_string()),
+                );
+                return;
+            }
+        };
+        // A folder's own order differs between machines.
+        let mut paths: Vec<_> = entries.filter_map(Result::ok).map(|e| e.path()).collect();
+        paths.sort();
+        for path in paths {
+            if path.extension().is_none_or(|e| e != "star") {
+                continue;
+            }
+            let name = path.file_stem().map(|s| s.to_string_lossy().into_owned());
+            let name = name.unwrap_or_default();
+            let place = format!("factory {}", clip(&name));
+            if !is_valid_name(&name) {
+                found.push(
+                    Diagnostic::error(
+                        Code::NameInvalid,
+                        place,
+                        "a factory file is named NAMESPACE.NAME.star",
+                    )
+                    .hint(format!("both are {}", name::RULE)),
+                );
+            } else if self.factories.contains_key(&name) {
+                found.push(Diagnostic::error(
+                    Code::NameTaken,
+                    place,
+                    "there is a factory of this name already",
+                ));
+            } else {
+                match read(&path) {
+                    Ok(source) => self.add(&name, &source, found),
+                    Err(why) => {
+                        found.push(Diagnostic::error(Code::FileFailed, place, why));
+                    }
+                }
+            }
+        }
+    }
+
+    /// The names of all factories, sorted.
+    #[must_use]
+    pub fn names(&self) -> Vec<&str> {
+        self.factories.keys().map(String::as_str).collect()
+    }
+
+    /// The factories, sorted by name.
+    pub fn iter(&self) -> impl Iterator<Item = &Factory> {
+        self.factories.values()
+    }
+
+    /// The factory of a name.
+    ///
+    /// # Errors
+    /// [`Code::FactoryUnknown`] with the nearest names.
+    pub fn get(&self, name: &str) -> Result<&Factory, Box<Diagnostic>> {
+        self.factories.get(name).ok_or_else(|| Box::new(self.unknown(name)))
+    }
+
+    fn unknown(&self, name: &str) -> Diagnostic {
+        let d = Diagnostic::error(
+            Code::FactoryUnknown,
+            "factory",
+            format!("there is no factory '{}'", clip(name)),
+        )
+        .found(name)
+        .expected(json!(self.names()))
+        .next("list_factories", json!({}));
+        match name::nearest(name, self.names(), 3).as_slice() {
+            [] => d,
+            near => d.hint(format!("did you mean {}?", near.join(" or "))),
+        }
+    }
+
+    /// Evaluates a factory; results are kept, so that the same question costs nothing again.
+    ///
+    /// # Errors
+    /// An unknown factory, or what [`Factory::build`] finds.
+    pub fn build(
+        &self,
+        name: &str,
+        params: &Map<String, Value>,
+    ) -> Result<Arc<Evaluated>, Vec<Diagnostic>> {
+        let factory = self.get(name).map_err(|d| vec![*d])?;
+        let checked = factory.check(params)?;
+        let key = canonical::to_bytes(&checked).ok().map(|bytes| (name.to_owned(), bytes));
+        if let Some(result) = key.as_ref().and_then(|key| self.kept().results.get(key).cloned()) {
+            return Ok(result);
+        }
+        let result = Arc::new(factory.build(&checked)?);
+        if let Some(key) = key {
+            let mut kept = self.kept();
+            // Evaluations cost milliseconds: starting anew is cheaper than knowing which were used last.
+            if kept.results.len() >= MOST_KEPT {
+                kept.results.clear();
+            }
+            kept.results.insert(key, Arc::clone(&result));
+        }
+        Ok(result)
+    }
+
+    fn kept(&self) -> std::sync::MutexGuard<'_, Kept> {
+        // Nothing leaves the map half changed, so one that a panic left behind is good.
+        self.kept.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// What there is to know about a factory.
+    ///
+    /// # Errors
+    /// An unknown factory, or one that cannot be built at its own defaults.
+    pub fn describe(&self, name: &str) -> Result<Described, Vec<Diagnostic>> {
+        let factory = self.get(name).map_err(|d| vec![*d])?;
+        let built = self.build(name, &Map::new())?;
+        Ok(Described {
+            name: name.to_owned(),
+            doc: factory.doc().to_owned(),
+            params: factory.params().to_vec(),
+            schema: factory.schema(),
+            ports: built.recipe.ports.clone(),
+            source_sha256: factory.source_sha256(),
+        })
+    }
+}
+
+fn read(path: &Path) -> Result<String, String> {
+    let size = std::fs::metadata(path).map_err(|e| e.kind().to_string())?.len();
+    if size > MOST_FILE_BYTES {
+        return Err(format!("the file has {size} bytes, more than {MOST_FILE_BYTES}"));
+    }
+    std::fs::read_to_string(path).map_err(|e| format!("the file cannot be read: {}", e.kind()))
+}

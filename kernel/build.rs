@@ -1,0 +1,116 @@
+//! Compiles the C++ side and links the libraries of OCCT that it uses.
+
+use std::env;
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+/// What the verbs use, beyond what comes along with `opencascade-sys`.
+const LIBRARIES: [&str; 21] = [
+    "TKDESTEP",
+    "TKXSBase",
+    "TKXCAF",
+    "TKVCAF",
+    "TKCAF",
+    "TKLCAF",
+    "TKCDF",
+    "TKFillet",
+    "TKBool",
+    "TKBO",
+    "TKMesh",
+    "TKPrim",
+    "TKShHealing",
+    "TKTopAlgo",
+    "TKGeomAlgo",
+    "TKBRep",
+    "TKGeomBase",
+    "TKG3d",
+    "TKG2d",
+    "TKMath",
+    "TKernel",
+];
+
+const SOURCES: [&str; 14] = [
+    "booleans",
+    "common",
+    "edges",
+    "facts",
+    "io",
+    "mesh",
+    "pair",
+    "place",
+    "primitives",
+    "profile",
+    "query",
+    "start",
+    "step_read",
+    "step_write",
+];
+
+fn place_of(variable: &str) -> Result<String, Box<dyn Error>> {
+    println!("cargo:rerun-if-env-changed={variable}");
+    let value = env::var(variable)
+        .map_err(|_| format!("{variable} does not say where OpenCASCADE is: run scripts/setup"))?;
+    if Path::new(&value).is_dir() {
+        Ok(value)
+    } else {
+        Err(format!("{variable} names {value}, which is no folder: run scripts/setup").into())
+    }
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let include = place_of("ASSEMCAD_OCCT_INCLUDE")?;
+    let lib = place_of("ASSEMCAD_OCCT_LIB")?;
+
+    let mut build = cxx_build::bridge("src/ffi.rs");
+    for source in SOURCES {
+        build.file(format!("cpp/{source}.cpp"));
+    }
+    build
+        .std("c++17")
+        .opt_level(1)
+        .debug(false)
+        // As a system folder: OCCT's headers are not ours to be warned about.
+        .flag_if_supported(format!("-isystem{include}"))
+        .compile("assemcad-kernel-shim");
+
+    println!("cargo:rustc-link-search=native={lib}");
+    for library in LIBRARIES {
+        println!("cargo:rustc-link-lib=dylib={library}");
+    }
+    println!("cargo:rustc-env=ASSEMCAD_OCCT_VERSION={}", occt_version(&include)?);
+    println!("cargo:rustc-env=ASSEMCAD_KERNEL_SOURCES={:016x}", sources()?);
+    println!("cargo:rerun-if-changed=src");
+    println!("cargo:rerun-if-changed=cpp");
+    Ok(())
+}
+
+/// The version that OCCT's headers state.
+fn occt_version(include: &str) -> Result<String, Box<dyn Error>> {
+    let header = fs::read_to_string(Path::new(include).join("Standard_Version.hxx"))?;
+    let line = header.lines().find(|l| l.contains("define OCC_VERSION_COMPLETE"));
+    let version = line.and_then(|l| l.split('"').nth(1)).ok_or("OCCT's headers state no version")?;
+    Ok(version.to_owned())
+}
+
+/// A number that changes with the sources of this crate (FNV-1a, 64 bits): solids that another
+/// version of them made are not taken from the cache.
+fn sources() -> Result<u64, Box<dyn Error>> {
+    let mut files = Vec::new();
+    for folder in ["cpp", "src"] {
+        for entry in fs::read_dir(folder)? {
+            let path = entry?.path();
+            if path.is_file() {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
+    for file in files {
+        for byte in fs::read(file)? {
+            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        }
+    }
+    Ok(hash)
+}

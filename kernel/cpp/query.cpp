@@ -1,0 +1,74 @@
+#include <BRepClass3d_SolidClassifier.hxx>
+#include <BRepGProp.hxx>
+#include <BRep_Tool.hxx>
+#include <GProp_GProps.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
+#include <gp_Mat.hxx>
+
+#include "common.h"
+
+namespace assemcad {
+
+BoundsRaw bounds(const Solid& solid, const Pose& pose) {
+  return raw_bounds(tight_box(moved(solid, pose)));
+}
+
+MassRaw mass(const Solid& solid) {
+  const TopoDS_Shape& shape = shape_of(solid);
+  GProp_GProps volume;
+  BRepGProp::VolumeProperties(shape, volume);
+  GProp_GProps surface;
+  BRepGProp::SurfaceProperties(shape, surface);
+  MassRaw out;
+  out.volume = volume.Mass();
+  out.area = surface.Mass();
+  out.center = xyz(volume.CentreOfMass());
+  const gp_Mat inertia = volume.MatrixOfInertia();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      out.inertia[3 * row + column] = inertia(row + 1, column + 1) + 0.0;
+    }
+  }
+  return out;
+}
+
+CheckRaw check(const Solid& solid) {
+  const TopoDS_Shape& shape = shape_of(solid);
+  CheckRaw out;
+  out.reasons = reasons(shape);
+  out.solids = count(shape, TopAbs_SOLID);
+  TopTools_IndexedMapOfShape shells;
+  TopExp::MapShapes(shape, TopAbs_SHELL, shells);
+  out.closed = shells.Extent() > 0;
+  for (Standard_Integer i = 1; i <= shells.Extent(); ++i) {
+    out.closed = out.closed && BRep_Tool::IsClosed(shells(i));
+  }
+  return out;
+}
+
+// 0 outside, 1 inside, 2 on the boundary.
+rust::Vec<std::uint8_t> classify(const Solid& solid, Reals points, double tolerance) {
+  BRepClass3d_SolidClassifier classifier(shape_of(solid));
+  rust::Vec<std::uint8_t> out;
+  out.reserve(points.size() / 3);
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
+    classifier.Perform(gp_Pnt(points[i], points[i + 1], points[i + 2]), tolerance);
+    switch (classifier.State()) {
+      case TopAbs_OUT:
+        out.push_back(0);
+        break;
+      case TopAbs_IN:
+        out.push_back(1);
+        break;
+      case TopAbs_ON:
+        out.push_back(2);
+        break;
+      default:
+        throw Invalid("a point is neither inside nor outside");
+    }
+  }
+  return out;
+}
+
+}  // namespace assemcad

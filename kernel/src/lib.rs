@@ -1,0 +1,47 @@
+//! OpenCASCADE behind a narrow wall: task-level verbs, each of which may fail and says why.
+//!
+//! Lengths in mm, angles in degrees where a name ends in `_deg`. The kernel may still crash or hang
+//! on bad luck in its geometry: whoever calls it does so in a process that may die.
+
+// Linked for what it finds: it names the libraries of OCCT and where they are.
+use opencascade_sys as _;
+
+pub mod booleans;
+pub mod dress;
+pub mod error;
+pub mod facts;
+mod ffi;
+pub mod limits;
+pub mod mesh;
+pub mod pair;
+pub mod pool;
+pub mod primitives;
+mod profile;
+pub mod protocol;
+pub mod query;
+pub mod replay;
+pub mod select;
+pub mod shape;
+pub mod step;
+pub mod worker;
+
+pub use error::{KernelError, Kind};
+pub use replay::{ReplayError, replay};
+pub use shape::Shape;
+
+/// The kernel's name and version.
+#[must_use]
+pub fn version() -> String {
+    format!("OCCT {}", env!("ASSEMCAD_OCCT_VERSION"))
+}
+
+/// What a cached solid depends on beside its recipe: OCCT, the sources of this crate, the processor.
+#[must_use]
+pub(crate) fn fingerprint() -> String {
+    format!(
+        "occt-{}/{}/{}",
+        env!("ASSEMCAD_OCCT_VERSION"),
+        env!("ASSEMCAD_KERNEL_SOURCES"),
+        std::env::consts::ARCH
+    )
+}

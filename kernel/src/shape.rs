@@ -1,0 +1,127 @@
+//! The solid, its bytes, and how frames and placements go to C++.
+
+use std::cell::OnceCell;
+use std::sync::Once;
+
+use assemcad_model::frame::{Frame, Placement};
+use cxx::UniquePtr;
+
+use crate::error::{Context, KernelError, Result};
+use crate::ffi::bridge;
+use crate::query::Mass;
+
+/// A solid. Lengths in mm. It never changes: every verb makes a new one.
+///
+/// Not to be sent between threads: the kernel is used by one thread of a worker process.
+pub struct Shape {
+    solid: UniquePtr<bridge::Solid>,
+    // Every boolean compares volumes, and a solid never changes.
+    pub(crate) mass: OnceCell<Mass>,
+}
+
+impl core::fmt::Debug for Shape {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str("Shape")
+    }
+}
+
+impl Shape {
+    pub(crate) fn wrap(solid: UniquePtr<bridge::Solid>) -> Result<Self> {
+        if solid.is_null() {
+            return Err(KernelError::internal("the kernel returned no shape"));
+        }
+        Ok(Self {
+            solid,
+            mass: OnceCell::new(),
+        })
+    }
+
+    pub(crate) fn solid(&self) -> Result<&bridge::Solid> {
+        self.solid
+            .as_ref()
+            .ok_or_else(|| KernelError::internal("the shape is empty"))
+    }
+
+    /// The solid as bytes: OCCT's binary BREP, version 4, without triangulation.
+    ///
+    /// The same solid gives the same bytes; reading and writing again changes nothing.
+    ///
+    /// # Errors
+    /// When the kernel cannot write it or memory runs out.
+    pub fn to_bytes(&self) -> Result<Vec<u8>> {
+        bridge::to_bytes(self.solid()?).context(|| "the solid could not be stored".into())
+    }
+
+    /// A solid from [`Shape::to_bytes`].
+    ///
+    /// # Errors
+    /// When the bytes hold no shape. Damaged bytes may crash the kernel: check their hash before.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
+        start()?;
+        let solid = bridge::from_bytes(bytes)
+            .context(|| "the stored solid could not be read".to_owned())?;
+        Self::wrap(solid)
+    }
+
+    /// The solid moved, its geometry written anew: no location stays on it.
+    ///
+    /// # Errors
+    /// When the placement is not rigid or a number is out of range.
+    pub fn placed(&self, at: &Placement) -> Result<Self> {
+        let pose = pose(at)?;
+        let solid = bridge::place(self.solid()?, &pose)
+            .context(|| "the solid could not be moved".to_owned())?;
+        Self::wrap(solid)
+    }
+
+    /// Whether a location is left anywhere on the shape; for tests.
+    #[doc(hidden)]
+    pub fn has_locations(&self) -> Result<bool> {
+        bridge::has_locations(self.solid()?).context(|| "the solid could not be walked".into())
+    }
+}
+
+/// Makes the kernel silent: OCCT prints to stdout, which may carry a protocol.
+pub(crate) fn start() -> Result<()> {
+    static START: Once = Once::new();
+    let mut outcome = Ok(());
+    START.call_once(|| {
+        outcome = bridge::quiet().context(|| "the kernel could not be started".into());
+    });
+    outcome
+}
+
+/// How far a placement may be from a rotation.
+const RIGID: f64 = 1e-9;
+
+pub(crate) fn pose(at: &Placement) -> Result<bridge::Pose> {
+    let assemcad_model::frame::Rows([a, b, c]) = (*at).into();
+    let [a0, a1, a2, a3] = a;
+    let [b0, b1, b2, b3] = b;
+    let [c0, c1, c2, c3] = c;
+    let rows = [a0, a1, a2, a3, b0, b1, b2, b3, c0, c1, c2, c3];
+    if rows.iter().any(|n| !n.is_finite()) {
+        return Err(KernelError::refused(
+            "a number of the placement is not finite",
+        ));
+    }
+    // Written so that NaN fails too.
+    if !(at.orthonormality_error() <= RIGID && at.rotation().determinant() > 0.0) {
+        return Err(KernelError::refused(
+            "the placement is no rigid motion: its rotation must be orthonormal and not mirror",
+        ));
+    }
+    Ok(bridge::Pose { rows })
+}
+
+pub(crate) fn frame(at: &Frame) -> Result<bridge::At> {
+    let placement = at
+        .placement()
+        .map_err(|e| KernelError::refused(e.to_string()))?;
+    let [x, _, z] = placement.axes();
+    Ok(bridge::At {
+        origin: placement.origin().into(),
+        x: x.into(),
+        z: z.into(),
+    })
+}

@@ -1,0 +1,197 @@
+//! The jobs themselves.
+
+use std::path::PathBuf;
+use std::rc::Rc;
+
+use assemcad_model::canonical::sha256;
+use assemcad_model::frame::Placement;
+use assemcad_model::recipe::{Op, Recipe};
+use lru::LruCache;
+
+use super::cache::{self, Disk, Entry};
+use crate::error::{KernelError, Result};
+use crate::protocol::{
+    Built, CommonVolume, Doing, Instance, Job, Placed, Product, Reply, Source, StepFacts, StepLeaf,
+};
+use crate::shape::Shape;
+use crate::{pair, replay, step};
+
+/// Says what is about to be done.
+type Tell<'a> = &'a mut dyn FnMut(Doing);
+
+/// A solid and the SHA-256 of its bytes.
+#[derive(Debug)]
+struct Solid {
+    shape: Shape,
+    brep: String,
+}
+
+/// A solid as a job gets it: the hash of its recipe, itself, and where it came from.
+type Found = (String, Rc<Solid>, Source);
+
+/// What a worker keeps between jobs.
+#[derive(Debug)]
+pub(super) struct Bench {
+    memory: LruCache<String, Rc<Solid>>,
+    disk: Option<Disk>,
+}
+
+impl Bench {
+    pub(super) fn new(folder: Option<PathBuf>) -> Self {
+        let disk = folder.map(|f| Disk::new(f, &crate::fingerprint()));
+        Self { memory: cache::in_memory(), disk }
+    }
+
+    pub(super) fn work(&mut self, job: &Job, tell: Tell<'_>) -> Result<(Reply, Vec<u8>)> {
+        // Said at once: from now on the job counts as started.
+        tell(Doing { operation: job.name().to_owned(), step: None, recipe: None });
+        match job {
+            Job::Build { recipe } => Ok((Reply::Built(self.build(recipe, tell)?), Vec::new())),
+            Job::CommonVolume { a, b, samples } => {
+                let common = self.common_volume(a, b, *samples, tell)?;
+                Ok((Reply::CommonVolume(common), Vec::new()))
+            }
+            Job::Step { solids, instances, name, description } => {
+                self.step(solids, instances, name, description, tell)
+            }
+        }
+    }
+
+    fn build(&mut self, recipe: &Recipe, tell: Tell<'_>) -> Result<Built> {
+        let (hash, solid, source) = self.solid(recipe, tell)?;
+        tell(Doing { operation: "measure".to_owned(), step: None, recipe: Some(hash.clone()) });
+        let (mass, bounds) = (solid.shape.mass()?, solid.shape.bounds()?);
+        Ok(Built {
+            recipe: hash,
+            source,
+            volume: mass.volume,
+            area: mass.area,
+            centre: mass.center,
+            min: bounds.min,
+            max: bounds.max,
+            brep: solid.brep.clone(),
+        })
+    }
+
+    fn common_volume(
+        &mut self,
+        a: &Placed,
+        b: &Placed,
+        samples: u32,
+        tell: Tell<'_>,
+    ) -> Result<CommonVolume> {
+        let (_, solid_a, _) = self.solid(&a.recipe, tell)?;
+        let (_, solid_b, _) = self.solid(&b.recipe, tell)?;
+        let (at_a, at_b) = (Placement::from(a.placement), Placement::from(b.placement));
+        tell(Doing { operation: "common volume".to_owned(), step: None, recipe: None });
+        let common = pair::common(&solid_a.shape, &at_a, &solid_b.shape, &at_b)?;
+        tell(Doing { operation: "sampling of the common volume".to_owned(), step: None, recipe: None });
+        let sampled = pair::sampled_common(&solid_a.shape, &at_a, &solid_b.shape, &at_b, samples)?;
+        let place = common.place.map(|(bounds, centre)| (bounds.min, bounds.max, centre));
+        Ok(CommonVolume {
+            volume: common.volume,
+            place,
+            warnings: common.warnings,
+            samples: sampled.tried,
+            inside: sampled.inside,
+            sampled_volume: sampled.box_volume,
+        })
+    }
+
+    fn step(
+        &mut self,
+        products: &[Product],
+        instances: &[Instance],
+        name: &str,
+        description: &[String],
+        tell: Tell<'_>,
+    ) -> Result<(Reply, Vec<u8>)> {
+        let mut solids = Vec::new();
+        for product in products {
+            solids.push(self.solid(&product.recipe, tell)?.1);
+        }
+        tell(Doing { operation: "STEP export".to_owned(), step: None, recipe: None });
+        let parts = products
+            .iter()
+            .zip(&solids)
+            .map(|(product, solid)| step::Part {
+                name: &product.name,
+                shape: &solid.shape,
+                color: Some(product.color),
+            })
+            .collect();
+        let instances = instances
+            .iter()
+            .map(|i| step::Instance {
+                name: &i.name,
+                of: step::Product::Part(i.solid),
+                placement: i.placement.into(),
+            })
+            .collect();
+        let tree = step::Tree { parts, assemblies: vec![step::Assembly { name, instances }] };
+        let program = format!("assemcad {}", env!("CARGO_PKG_VERSION"));
+        let header = step::Header {
+            file_name: format!("{name}.step"),
+            description: description.to_vec(),
+            author: vec![String::new()],
+            organization: vec![String::new()],
+            preprocessor: program.clone(),
+            originating_system: program,
+            authorisation: String::new(),
+        };
+        let bytes = step::write(&tree, &header)?;
+        tell(Doing { operation: "reading the STEP file back".to_owned(), step: None, recipe: None });
+        let leaf = |leaf: step::Leaf| StepLeaf {
+            name: leaf.path.last().cloned().unwrap_or_default(),
+            product: leaf.product,
+            volume: leaf.volume,
+            centre: leaf.center,
+        };
+        let instances = step::read(&bytes)?.into_iter().map(leaf).collect();
+        Ok((Reply::Step(StepFacts { instances }), bytes))
+    }
+
+    /// The solid of a recipe: from memory, from disk, or made.
+    fn solid(&mut self, recipe: &Recipe, tell: Tell<'_>) -> Result<Found> {
+        let hash = recipe
+            .hash()
+            .map_err(|_| KernelError::refused("the recipe holds a number that is not finite"))?;
+        if let Some(known) = self.memory.get(&hash) {
+            return Ok((hash, Rc::clone(known), Source::Memory));
+        }
+        let entry = self.disk.as_ref().map_or(Entry::Missing, |d| d.read(&hash));
+        let on_disk = match &entry {
+            Entry::Sound(bytes) => Shape::from_bytes(bytes)
+                .ok()
+                .map(|shape| Solid { shape, brep: sha256(bytes) }),
+            Entry::Missing | Entry::Damaged => None,
+        };
+        let (solid, source) = match (on_disk, entry) {
+            (Some(solid), _) => (solid, Source::Disk),
+            (None, Entry::Missing) => (self.make(recipe, &hash, tell)?, Source::Replayed),
+            (None, _) => (self.make(recipe, &hash, tell)?, Source::Repaired),
+        };
+        let solid = Rc::new(solid);
+        self.memory.put(hash.clone(), Rc::clone(&solid));
+        Ok((hash, solid, source))
+    }
+
+    fn make(&mut self, recipe: &Recipe, hash: &str, tell: Tell<'_>) -> Result<Solid> {
+        let mut on_step = |step: usize, op: &Op| {
+            tell(Doing {
+                operation: op.name().to_owned(),
+                step: Some(step),
+                recipe: Some(hash.to_owned()),
+            });
+        };
+        let shape = replay(recipe, &mut on_step).map_err(|e| e.error)?;
+        let bytes = shape.to_bytes()?;
+        if let Some(disk) = &self.disk
+            && let Err(e) = disk.write(hash, &bytes)
+        {
+            // The cache is a convenience: without it the solid is made again next time.
+            tracing::warn!("a solid could not be kept on disk: {e}");
+        }
+        Ok(Solid { shape, brep: sha256(&bytes) })
+    }
+}

@@ -1,0 +1,31 @@
+//! The limits that a worker sets on itself.
+
+use std::io;
+
+use rustix::process::{Resource, Rlimit, getrlimit, setrlimit};
+use rustix::time::{ClockId, clock_gettime};
+
+/// Limits the address space of this process, for good, and forbids core files.
+///
+/// # Errors
+/// When the system refuses.
+pub(super) fn set_memory_mb(memory_mb: u64) -> io::Result<()> {
+    let bytes = memory_mb.saturating_mul(1 << 20);
+    setrlimit(Resource::As, Rlimit { current: Some(bytes), maximum: Some(bytes) })?;
+    setrlimit(Resource::Core, Rlimit { current: Some(0), maximum: Some(0) })?;
+    Ok(())
+}
+
+/// Allows this process so many more seconds of processor time from now on; then the system ends it
+/// with SIGXCPU. Whole seconds: the limit is rounded up, never down.
+///
+/// # Errors
+/// When the system refuses.
+pub(super) fn allow_cpu_s(cpu_s: u64) -> io::Result<()> {
+    let used = clock_gettime(ClockId::ProcessCPUTime).tv_sec;
+    let until = u64::try_from(used).unwrap_or_default() + cpu_s + 1;
+    // Only the soft limit moves: the hard limit may not be raised again.
+    let maximum = getrlimit(Resource::Cpu).maximum;
+    setrlimit(Resource::Cpu, Rlimit { current: Some(until), maximum })?;
+    Ok(())
+}

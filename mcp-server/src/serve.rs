@@ -1,0 +1,162 @@
+//! The tools over MCP. The only place that knows the protocol's library.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use assemcad_assembly::{Faults, Workshop};
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::name::nearest;
+use assemcad_model::param::clip;
+use assemcad_tools::{Effect, Offer};
+use rmcp::model::{
+    CallToolRequestParams, CallToolResponse, CallToolResult, Implementation, ListToolsResult,
+    PaginatedRequestParams, ServerCapabilities, ServerConfig, Tool, ToolAnnotations,
+};
+use rmcp::service::RequestContext;
+use rmcp::transport::stdio as streams;
+use rmcp::{ErrorData, RoleServer, ServerHandler, ServiceExt};
+use serde_json::{Value, json};
+
+use crate::eof::{PatientReader, Running};
+
+/// What a model reads before it sees any tool; clients cut it at 2 KiB.
+const INSTRUCTIONS: &str = "assemcad builds mechanical assemblies that are checked: typed parts with \
+real dimensions, joined port to port by mates, verified, exported as STEP (AP242).\n\
+Way of working: list_factories, describe_factory for those you want (parameters, ports), \
+new_assembly, add_part for each part (the first is the root and stands still), mate to give each \
+further part its place, verify, export_step. Every call names its assembly; every change is on disk \
+when it is answered, and assemblies of earlier sessions are there (list_assemblies).\n\
+Units: millimetres and degrees. A port's z points out of the material: a face's outward normal, a \
+hole's way out of its mouth, a shaft's way out of its end. Ports are written part:port.\n\
+A call that cannot be done answers with diagnostics, each with the place, the value found, the values \
+possible and often the next call to make; nothing is changed then. A verdict is pass, fail or \
+indeterminate; a report also says what was not checked.";
+
+/// Serves a workshop on standard input and output until the input ends.
+///
+/// # Errors
+/// When the protocol cannot be spoken.
+pub(crate) async fn stdio(workshop: Workshop) -> Result<(), String> {
+    let running = Running::default();
+    let (input, output) = streams();
+    let server = Server::new(workshop, running.clone());
+    let service = server
+        .serve((PatientReader::new(input, running), output))
+        .await
+        .map_err(|e| format!("the session did not start: {e}"))?;
+    service.waiting().await.map_err(|e| format!("the session broke off: {e}"))?;
+    Ok(())
+}
+
+struct Server {
+    workshop: Arc<Workshop>,
+    offers: Arc<BTreeMap<&'static str, Offer>>,
+    tools: Vec<Tool>,
+    running: Running,
+}
+
+impl Server {
+    fn new(workshop: Workshop, running: Running) -> Self {
+        let offers = assemcad_tools::all();
+        let tools = offers.iter().map(tool).collect();
+        let offers = offers.into_iter().map(|o| (o.name, o)).collect();
+        Self { workshop: Arc::new(workshop), offers: Arc::new(offers), tools, running }
+    }
+}
+
+fn tool(offer: &Offer) -> Tool {
+    let annotations = ToolAnnotations::from_raw(
+        Some(offer.title.to_owned()),
+        Some(offer.effect == Effect::Reads),
+        Some(offer.effect == Effect::Removes),
+        Some(true),
+        Some(false),
+    );
+    Tool::new(offer.name, offer.description, Arc::new(offer.input_schema.clone()))
+        .with_title(offer.title)
+        .with_raw_output_schema(Arc::new(offer.output_schema.clone()))
+        .with_annotations(annotations)
+}
+
+impl ServerHandler for Server {
+    fn get_info(&self) -> ServerConfig {
+        ServerConfig::new(ServerCapabilities::builder().enable_tools().build())
+            .with_server_info(
+                Implementation::new("assemcad", env!("CARGO_PKG_VERSION")).with_title("assemcad"),
+            )
+            .with_instructions(INSTRUCTIONS)
+    }
+
+    async fn list_tools(
+        &self,
+        _request: Option<PaginatedRequestParams>,
+        _context: RequestContext<RoleServer>,
+    ) -> Result<ListToolsResult, ErrorData> {
+        Ok(ListToolsResult::with_all_items(self.tools.clone()))
+    }
+
+    fn get_tool(&self, name: &str) -> Option<Tool> {
+        self.tools.iter().find(|t| t.name == name).cloned()
+    }
+
+    async fn call_tool(
+        &self,
+        request: CallToolRequestParams,
+        context: RequestContext<RoleServer>,
+    ) -> Result<CallToolResponse, ErrorData> {
+        let _call = self.running.start();
+        let given = Value::Object(request.arguments.unwrap_or_default());
+        let result = match self.offers.get(request.name.as_ref()) {
+            None => Err(vec![self.unknown(&request.name)]),
+            // A task of its own, so that a fault in a tool costs this call and no other.
+            Some(offer) => {
+                let (workshop, name) = (Arc::clone(&self.workshop), offer.name);
+                let offers = Arc::clone(&self.offers);
+                let work = async move {
+                    match offers.get(name) {
+                        Some(offer) => offer.call(&workshop, given).await,
+                        None => Err(Faults::new()),
+                    }
+                };
+                let mut task = tokio::spawn(work);
+                tokio::select! {
+                    done = &mut task => done.unwrap_or_else(|e| Err(vec![broken(name, &e)])),
+                    () = context.ct.cancelled() => {
+                        // Dropping the work drops its worker, which ends the kernel's computation.
+                        task.abort();
+                        Err(vec![Diagnostic::error(Code::Cancelled, name, "the client cancelled the call")])
+                    }
+                }
+            }
+        };
+        Ok(match result {
+            Ok(answer) => CallToolResult::structured(answer),
+            Err(faults) => CallToolResult::structured_error(json!({"diagnostics": faults})),
+        }
+        .into())
+    }
+}
+
+impl Server {
+    fn unknown(&self, name: &str) -> Diagnostic {
+        let names: Vec<&str> = self.offers.keys().copied().collect();
+        let near = nearest(name, names.iter().copied(), 1).first().copied();
+        let d = Diagnostic::error(
+            Code::ToolUnknown,
+            "name",
+            format!("there is no tool '{}'", clip(name)),
+        )
+        .found(name)
+        .expected(json!(names));
+        match near {
+            Some(near) => d.hint(format!("did you mean '{near}'?")),
+            None => d,
+        }
+    }
+}
+
+fn broken(tool: &str, e: &tokio::task::JoinError) -> Diagnostic {
+    tracing::error!("{tool}: {e}");
+    Diagnostic::error(Code::Internal, tool, "a fault of the server itself; it is in the server's log")
+        .hint("the assemblies on disk are as they were before this call; other calls are not affected")
+}

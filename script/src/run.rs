@@ -1,0 +1,214 @@
+//! One evaluation: source in, declaration or recipe out.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
+
+use assemcad_model::diagnostic::Diagnostic;
+use assemcad_model::param::ParamSpec;
+use serde_json::{Map, Value as Json};
+use starlark::codemap::FileSpanRef;
+use starlark::environment::Module;
+use starlark::eval::{BeforeStmtFunc, BeforeStmtFuncDyn, Evaluator};
+use starlark::syntax::{AstModule, Dialect, DialectTypes};
+use starlark::values::Value;
+
+use crate::fault::{self, Fault};
+use crate::language::{self, guard, session::Declaration, session::Session};
+use crate::limits::Limits;
+use crate::values::Solid;
+
+/// The source of a factory and under what it is evaluated.
+#[derive(Debug, Clone)]
+pub(crate) struct Job {
+    pub(crate) name: String,
+    pub(crate) source: Arc<str>,
+    pub(crate) limits: Limits,
+}
+
+/// What `build(p)` made: the recipe and the line of each operation.
+pub(crate) type Built = (assemcad_model::recipe::Recipe, Vec<u32>);
+
+/// The language: Starlark with statements at the top level and keyword-only parameters; types may be
+/// written and mean nothing.
+fn dialect() -> Dialect {
+    Dialect {
+        enable_load: false,
+        enable_keyword_only_arguments: true,
+        enable_positional_only_arguments: true,
+        enable_top_level_stmt: true,
+        enable_types: DialectTypes::ParseOnly,
+        // Only so that the scan can tell an f-string from a syntax error and say what to write.
+        enable_f_strings: true,
+        ..Dialect::Standard
+    }
+}
+
+impl Job {
+    /// Evaluates the top level and gives what it declared.
+    pub(crate) fn declare(self) -> Result<Declaration, Vec<Diagnostic>> {
+        self.in_thread(|job, cancelled| {
+            job.evaluate(cancelled, |job, session, module, _| {
+                let mut found = Vec::new();
+                let declaration = session.declaration.borrow_mut().take();
+                if declaration.is_none() {
+                    found.push(
+                        Fault::new("the source does not call factory(doc = ..., params = ...)")
+                            .hint("call it once at the top level")
+                            .diagnostic(&job.name, None),
+                    );
+                }
+                match module.get("build").map(Value::get_type) {
+                    Some("function") => {}
+                    _ => found.push(
+                        Fault::new("the source does not define the function build(p)")
+                            .hint("write `def build(p):` and return a Solid from it")
+                            .diagnostic(&job.name, None),
+                    ),
+                }
+                declaration.filter(|_| found.is_empty()).ok_or(found)
+            })
+        })
+    }
+
+    /// Evaluates the top level and then `build(p)` with checked parameters.
+    pub(crate) fn build(
+        self,
+        specs: Vec<ParamSpec>,
+        params: Map<String, Json>,
+    ) -> Result<Built, Vec<Diagnostic>> {
+        self.in_thread(move |job, cancelled| {
+            job.evaluate(cancelled, |job, session, module, eval| {
+                session.building.set(true);
+                let Some(build) = module.get("build") else {
+                    return Err(vec![
+                        Fault::new("the source does not define the function build(p)")
+                            .diagnostic(&job.name, None),
+                    ]);
+                };
+                let p = crate::values::params::record(eval.heap(), &specs, &params);
+                let result = eval.eval_function(build, &[p], &[]);
+                // A rule between parameters that does not hold explains whatever came after it.
+                let broken = session.broken_rules.take();
+                if !broken.is_empty() {
+                    return Err(broken.iter().map(|m| fault::of_params(m)).collect());
+                }
+                let result =
+                    result.map_err(|e| vec![fault::diagnostic(&job.name, &job.limits, &e)])?;
+                let Some(solid) = Solid::from_value(result) else {
+                    return Err(vec![
+                        Fault::new(format!(
+                            "build(p) returned a value of type {} and not a Solid",
+                            result.get_type()
+                        ))
+                        .hint("end build(p) with `return` and the finished solid")
+                        .diagnostic(&job.name, None),
+                    ]);
+                };
+                Ok(session.recorder.borrow().recipe(solid.node, &solid.ports))
+            })
+        })
+    }
+
+    fn in_thread<T: Send + 'static>(
+        self,
+        work: impl FnOnce(&Self, Arc<AtomicBool>) -> Result<T, Vec<Diagnostic>> + Send + 'static,
+    ) -> Result<T, Vec<Diagnostic>> {
+        let (limits, name) = (self.limits.clone(), self.name.clone());
+        crate::thread::run(&limits, move |cancelled| work(&self, cancelled))
+            .unwrap_or_else(|fault| Err(vec![fault.diagnostic(&name, None)]))
+    }
+
+    /// Reads, checks and evaluates the top level, then hands over to `finish`.
+    fn evaluate<T>(
+        &self,
+        cancelled: Arc<AtomicBool>,
+        finish: impl for<'v, 'a> FnOnce(
+            &Self,
+            &Session,
+            &Module<'v>,
+            &mut Evaluator<'v, 'a, '_>,
+        ) -> Result<T, Vec<Diagnostic>>,
+    ) -> Result<T, Vec<Diagnostic>> {
+        let one = |e: &starlark::Error| vec![fault::diagnostic(&self.name, &self.limits, e)];
+        let dialect = dialect();
+        let faults = crate::scan::scan(&self.source, &dialect, &self.limits);
+        if !faults.is_empty() {
+            return Err(faults.into_iter().map(|f| f.diagnostic(&self.name, None)).collect());
+        }
+        let mut ast = AstModule::parse(&self.name, self.source.to_string(), &dialect)
+            .map_err(|e| one(&e))?;
+        ast.replace_binary_operators(&guard::operators());
+        let session = Session::new(&self.limits);
+        let deadline = Instant::now() + self.limits.time;
+        let ended = move || cancelled.load(Ordering::Relaxed) || Instant::now() > deadline;
+        Module::with_temp_heap(|module| {
+            let mut eval = Evaluator::new(&module);
+            eval.extra = Some(&session);
+            eval.set_print_handler(&Nowhere);
+            eval.set_check_cancelled(Box::new(ended.clone()));
+            let prepared = eval
+                .set_max_callstack_size(self.limits.call_depth)
+                .and_then(|()| eval.set_max_heap_size(self.limits.heap_bytes))
+                .and_then(|()| eval.set_max_tick_count(self.limits.ticks));
+            if prepared.is_err() {
+                return Err(vec![
+                    Fault::new("the limits of the evaluation cannot be set")
+                        .diagnostic(&self.name, None),
+                ]);
+            }
+            eval.before_stmt_for_dap(BeforeStmtFunc::from_dyn(Box::new(Watch {
+                limits: self.limits.clone(),
+                statements: 0,
+                ended,
+            })));
+            eval.eval_module(ast, language::globals()).map_err(|e| one(&e))?;
+            finish(self, &session, &module, &mut eval)
+        })
+    }
+}
+
+/// Looks at every statement before it is carried out.
+struct Watch<F> {
+    limits: Limits,
+    statements: u64,
+    ended: F,
+}
+
+impl<'e, F: Fn() -> bool> BeforeStmtFuncDyn<'e> for Watch<F> {
+    fn call<'v>(
+        &mut self,
+        span: FileSpanRef<'_>,
+        _continued: bool,
+        eval: &mut Evaluator<'v, '_, 'e>,
+    ) -> starlark::Result<()> {
+        self.statements += 1;
+        let fault = if self.statements > self.limits.statements {
+            Fault::new(format!(
+                "more than {} statements are carried out (limit statements)",
+                self.limits.statements
+            ))
+            .hint("do less work in loops")
+        } else if eval.heap().allocated_bytes() > self.limits.heap_bytes {
+            fault::too_much_memory(&self.limits)
+        } else if self.statements.is_multiple_of(256) && (self.ended)() {
+            fault::too_long(&self.limits)
+        } else {
+            return Ok(());
+        };
+        let fault = match fault::line_at(&span.to_file_span()) {
+            Some(line) => fault.line(line),
+            None => fault,
+        };
+        Err(starlark::Error::new_native(anyhow::Error::new(fault)))
+    }
+}
+
+/// Where `print` goes.
+struct Nowhere;
+
+impl starlark::PrintHandler for Nowhere {
+    fn println(&self, _text: &str) -> starlark::Result<()> {
+        Ok(())
+    }
+}

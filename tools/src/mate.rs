@@ -1,0 +1,129 @@
+//! `mate`.
+
+use assemcad_assembly::edit::Change;
+use assemcad_assembly::state::State;
+use assemcad_assembly::{Faults, Workshop};
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::mates::{MateType, Residual};
+use assemcad_model::report::rounded;
+use assemcad_model::spec::{End, Mate};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value, json};
+
+use crate::{Effect, Tool};
+
+pub(crate) struct MakeMate;
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Arguments {
+    /// Name of the assembly.
+    assembly: String,
+    /// The mate's name, unique in the assembly: letters, digits, '_' and '-', at most 64.
+    id: String,
+    /// Type of the mate.
+    mate_type: MateType,
+    /// The port that stays, as 'part:port'.
+    base: String,
+    /// The port whose part is brought in, as 'part:port'.
+    incoming: String,
+    /// face_to_face: shift along the base port's x, in mm.
+    #[serde(default)]
+    u_mm: Option<f64>,
+    /// face_to_face: shift along the base port's y, in mm.
+    #[serde(default)]
+    v_mm: Option<f64>,
+    /// face_to_face: gap along the base port's normal, in mm.
+    #[serde(default)]
+    d_n_mm: Option<f64>,
+    /// coaxial: distance of the ports' origins along the base port's z, in mm. A bore's z points out of
+    /// its mouth, so a negative distance goes in.
+    #[serde(default)]
+    d_mm: Option<f64>,
+    /// coaxial: whether the ports' z axes look against each other ('opposed', the default) or the
+    /// same way ('same').
+    #[serde(default)]
+    direction: Option<Direction>,
+    /// Turn about the incoming port's z, in degrees.
+    #[serde(default)]
+    alpha_deg: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Direction {
+    Opposed,
+    Same,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Answer {
+    /// False where the same mate was there already.
+    changed: bool,
+    /// The mate's name.
+    mate: String,
+    /// How far the mate is from holding at the parts' places; absent while one of them has no place.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    residual: Option<Residual>,
+    /// The assembly now.
+    state: State,
+}
+
+impl Arguments {
+    fn options(&self) -> Map<String, Value> {
+        let all = [
+            ("u_mm", self.u_mm.map(|v| json!(v))),
+            ("v_mm", self.v_mm.map(|v| json!(v))),
+            ("d_n_mm", self.d_n_mm.map(|v| json!(v))),
+            ("d_mm", self.d_mm.map(|v| json!(v))),
+            ("direction", self.direction.map(|v| json!(v))),
+            ("alpha_deg", self.alpha_deg.map(|v| json!(v))),
+        ];
+        all.into_iter().filter_map(|(name, v)| Some((name.to_owned(), v?))).collect()
+    }
+}
+
+impl Tool for MakeMate {
+    type Arguments = Arguments;
+    type Answer = Answer;
+    const NAME: &'static str = "mate";
+    const TITLE: &'static str = "Mate two ports";
+    const DESCRIPTION: &'static str = "Joins two parts at their ports. face_to_face puts two faces \
+        together, normals opposed; coaxial puts two cylindrical ports on one axis. The first mate \
+        between a part with a place and one without places the latter; one between two placed parts \
+        must hold where they are. A port of the wrong type is refused with those that would fit.";
+    const EFFECT: Effect = Effect::Adds;
+
+    async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
+        let options = a.options();
+        let (base, incoming) = match (end(&a.base, "base"), end(&a.incoming, "incoming")) {
+            (Ok(base), Ok(incoming)) => (base, incoming),
+            (base, incoming) => {
+                return Err(base.err().into_iter().chain(incoming.err()).collect());
+            }
+        };
+        let mate = Mate { id: a.id, mate_type: a.mate_type, base, incoming, options };
+        let mated = workshop.mate(&a.assembly, mate).await?;
+        Ok(Answer {
+            changed: mated.change == Change::Made,
+            mate: mated.mate.mate.id.clone(),
+            residual: mated.residual.map(|r| Residual {
+                distance_mm: rounded(r.distance_mm),
+                angle_deg: rounded(r.angle_deg),
+            }),
+            state: mated.state,
+        })
+    }
+}
+
+fn end(text: &str, place: &str) -> Result<End, Diagnostic> {
+    match text.split_once(':') {
+        Some((part, port)) if !part.is_empty() && !port.is_empty() => {
+            Ok(End { part: part.to_owned(), port: port.to_owned() })
+        }
+        _ => Err(Diagnostic::error(Code::ArgumentInvalid, place, "this names no port")
+            .found(text)
+            .expected("part:port, such as 'plate:top_face'")),
+    }
+}
