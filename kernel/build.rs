@@ -78,8 +78,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     for library in LIBRARIES {
         println!("cargo:rustc-link-lib=dylib={library}");
     }
-    println!("cargo:rustc-env=ASSEMCAD_OCCT_VERSION={}", occt_version(&include)?);
-    println!("cargo:rustc-env=ASSEMCAD_KERNEL_SOURCES={:016x}", sources()?);
+    println!(
+        "cargo:rustc-env=ASSEMCAD_OCCT_VERSION={}",
+        occt_version(&include)?
+    );
+    println!(
+        "cargo:rustc-env=ASSEMCAD_KERNEL_SOURCES={:016x}",
+        sources()?
+    );
     println!("cargo:rerun-if-changed=src");
     println!("cargo:rerun-if-changed=cpp");
     Ok(())
@@ -88,8 +94,12 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The version that OCCT's headers state.
 fn occt_version(include: &str) -> Result<String, Box<dyn Error>> {
     let header = fs::read_to_string(Path::new(include).join("Standard_Version.hxx"))?;
-    let line = header.lines().find(|l| l.contains("define OCC_VERSION_COMPLETE"));
-    let version = line.and_then(|l| l.split('"').nth(1)).ok_or("OCCT's headers state no version")?;
+    let line = header
+        .lines()
+        .find(|l| l.contains("define OCC_VERSION_COMPLETE"));
+    let version = line
+        .and_then(|l| l.split('"').nth(1))
+        .ok_or("OCCT's headers state no version")?;
     Ok(version.to_owned())
 }
 

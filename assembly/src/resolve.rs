@@ -103,19 +103,15 @@ pub fn part(registry: &Registry, part: &Part, place: &str) -> Result<ResolvedPar
     let at = |field: &str| {
         if place.is_empty() { field.to_owned() } else { format!("{place}.{field}") }
     };
-    let factory = registry.get(&part.factory).map_err(|d| vec![d.at(at("factory"))])?;
-    let made = factory.build(&part.params).map_err(|faults| {
+    let made = registry.build(&part.factory, &part.params).map_err(|faults| {
         let under = |d: Diagnostic| {
             let inner = d.place.clone();
-            if inner.starts_with("params") { d.at(at(&inner)) } else { d }
+            let ours = inner == "factory" || inner.starts_with("params");
+            if ours { d.at(at(&inner)) } else { d }
         };
         faults.into_iter().map(under).collect::<Faults>()
     })?;
-    Ok(ResolvedPart {
-        id: part.id.clone(),
-        factory: part.factory.clone(),
-        made: Arc::new(made),
-    })
+    Ok(ResolvedPart { id: part.id.clone(), factory: part.factory.clone(), made })
 }
 
 /// Resolves one mate: parts and ports found, types compatible, options complete, conditions met.

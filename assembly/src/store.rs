@@ -81,8 +81,9 @@ impl Store {
     /// When there is no assembly of this name.
     pub async fn lock(&self, id: &str) -> Result<Lock, Diagnostic> {
         check_name("assembly", id)?;
-        let folder = match self.root.open_dir(format!("{ASSEMBLIES}/{id}")) {
-            Ok(folder) => folder.into_std_file(),
+        // Opened as a file: the handle of a folder opened as a capability cannot be locked.
+        let folder = match self.root.open(format!("{ASSEMBLIES}/{id}")) {
+            Ok(folder) => folder.into_std(),
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Err(self.unknown(id)),
             Err(e) => return Err(file_failed(id, "locked", &e)),
         };

@@ -2,9 +2,18 @@
 
 /// Every built-in factory: name and source, sorted by name.
 pub(crate) const ALL: [(&str, &str); 4] = [
-    ("base_frame.housing_block", include_str!("../builtin/base_frame.housing_block.star")),
-    ("base_frame.rect_plate", include_str!("../builtin/base_frame.rect_plate.star")),
-    ("base_frame.stepped_shaft", include_str!("../builtin/base_frame.stepped_shaft.star")),
+    (
+        "base_frame.housing_block",
+        include_str!("../builtin/base_frame.housing_block.star"),
+    ),
+    (
+        "base_frame.rect_plate",
+        include_str!("../builtin/base_frame.rect_plate.star"),
+    ),
+    (
+        "base_frame.stepped_shaft",
+        include_str!("../builtin/base_frame.stepped_shaft.star"),
+    ),
     ("bearing.ball", include_str!("../builtin/bearing.ball.star")),
 ];
 
@@ -17,7 +26,11 @@ mod tests {
         let files = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/builtin")).unwrap();
         let mut files: Vec<String> = files
             .map(|f| f.unwrap().file_name().into_string().unwrap())
-            .map(|f| f.strip_suffix(".star").expect("only .star files here").to_owned())
+            .map(|f| {
+                f.strip_suffix(".star")
+                    .expect("only .star files here")
+                    .to_owned()
+            })
             .collect();
         files.sort();
         assert_eq!(files, ALL.map(|(name, _)| name));

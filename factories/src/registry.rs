@@ -54,7 +54,8 @@ pub struct Described {
 /// Whether a text may name a factory: `NAMESPACE.NAME`, both valid names.
 #[must_use]
 pub fn is_valid_name(text: &str) -> bool {
-    text.split_once('.').is_some_and(|(space, rest)| name::is_valid(space) && name::is_valid(rest))
+    text.split_once('.')
+        .is_some_and(|(space, rest)| name::is_valid(space) && name::is_valid(rest))
 }
 
 impl Registry {
@@ -158,7 +159,9 @@ impl Registry {
     /// # Errors
     /// [`Code::FactoryUnknown`] with the nearest names.
     pub fn get(&self, name: &str) -> Result<&Factory, Box<Diagnostic>> {
-        self.factories.get(name).ok_or_else(|| Box::new(self.unknown(name)))
+        self.factories
+            .get(name)
+            .ok_or_else(|| Box::new(self.unknown(name)))
     }
 
     fn unknown(&self, name: &str) -> Diagnostic {
@@ -187,8 +190,13 @@ impl Registry {
     ) -> Result<Arc<Evaluated>, Vec<Diagnostic>> {
         let factory = self.get(name).map_err(|d| vec![*d])?;
         let checked = factory.check(params)?;
-        let key = canonical::to_bytes(&checked).ok().map(|bytes| (name.to_owned(), bytes));
-        if let Some(result) = key.as_ref().and_then(|key| self.kept().results.get(key).cloned()) {
+        let key = canonical::to_bytes(&checked)
+            .ok()
+            .map(|bytes| (name.to_owned(), bytes));
+        if let Some(result) = key
+            .as_ref()
+            .and_then(|key| self.kept().results.get(key).cloned())
+        {
             return Ok(result);
         }
         let result = Arc::new(factory.build(&checked)?);
@@ -227,9 +235,13 @@ impl Registry {
 }
 
 fn read(path: &Path) -> Result<String, String> {
-    let size = std::fs::metadata(path).map_err(|e| e.kind().to_string())?.len();
+    let size = std::fs::metadata(path)
+        .map_err(|e| e.kind().to_string())?
+        .len();
     if size > MOST_FILE_BYTES {
-        return Err(format!("the file has {size} bytes, more than {MOST_FILE_BYTES}"));
+        return Err(format!(
+            "the file has {size} bytes, more than {MOST_FILE_BYTES}"
+        ));
     }
     std::fs::read_to_string(path).map_err(|e| format!("the file cannot be read: {}", e.kind()))
 }

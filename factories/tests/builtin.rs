@@ -1,4 +1,10 @@
 //! Every built-in factory: defaults, the corners of its ranges, and its ports as documented.
+#![allow(
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    reason = "helpers of tests, outside of #[test] functions"
+)]
 
 use assemcad_factories::Registry;
 use assemcad_model::diagnostic::{Code, Diagnostic};
@@ -15,7 +21,10 @@ fn build(name: &str, params: Value) -> Result<(Vec<Op>, Vec<Port>), Vec<Diagnost
 }
 
 fn port<'a>(ports: &'a [Port], name: &str) -> &'a Port {
-    ports.iter().find(|p| p.name == name).unwrap_or_else(|| panic!("no port {name}"))
+    ports
+        .iter()
+        .find(|p| p.name == name)
+        .unwrap_or_else(|| panic!("no port {name}"))
 }
 
 #[track_caller]
@@ -36,7 +45,11 @@ fn is(
     assert_eq!((p.frame.z, p.frame.x), (z, x), "{name}");
     assert_eq!(p.params.len(), params.len(), "{name}");
     for (key, value) in params {
-        assert!((p.params[*key] - value).abs() < 1e-12, "{name} {key} {}", p.params[*key]);
+        assert!(
+            (p.params[*key] - value).abs() < 1e-12,
+            "{name} {key} {}",
+            p.params[*key]
+        );
     }
 }
 
@@ -53,45 +66,170 @@ fn face(x: f64, y: f64) -> [(&'static str, f64); 2] {
 
 #[test]
 fn the_ports_of_the_plate() {
-    let (ops, ports) =
-        build("base_frame.rect_plate", json!({"length": 100, "width": 60, "thickness": 10})).unwrap();
+    let (ops, ports) = build(
+        "base_frame.rect_plate",
+        json!({"length": 100, "width": 60, "thickness": 10}),
+    )
+    .unwrap();
     assert_eq!(ops.len(), 1);
     assert_eq!(ports.len(), 6);
     let flat = PortType::FlatFace;
-    is(&ports, "top_face", flat, [0.0, 0.0, 10.0], Z, X, &face(100.0, 60.0));
-    is(&ports, "bottom_face", flat, [0.0; 3], NZ, X, &face(100.0, 60.0));
-    is(&ports, "side_face_x_pos", flat, [50.0, 0.0, 5.0], X, Y, &face(60.0, 10.0));
-    is(&ports, "side_face_x_neg", flat, [-50.0, 0.0, 5.0], NX, Y, &face(60.0, 10.0));
-    is(&ports, "side_face_y_pos", flat, [0.0, 30.0, 5.0], Y, X, &face(100.0, 10.0));
-    is(&ports, "side_face_y_neg", flat, [0.0, -30.0, 5.0], NY, X, &face(100.0, 10.0));
+    is(
+        &ports,
+        "top_face",
+        flat,
+        [0.0, 0.0, 10.0],
+        Z,
+        X,
+        &face(100.0, 60.0),
+    );
+    is(
+        &ports,
+        "bottom_face",
+        flat,
+        [0.0; 3],
+        NZ,
+        X,
+        &face(100.0, 60.0),
+    );
+    is(
+        &ports,
+        "side_face_x_pos",
+        flat,
+        [50.0, 0.0, 5.0],
+        X,
+        Y,
+        &face(60.0, 10.0),
+    );
+    is(
+        &ports,
+        "side_face_x_neg",
+        flat,
+        [-50.0, 0.0, 5.0],
+        NX,
+        Y,
+        &face(60.0, 10.0),
+    );
+    is(
+        &ports,
+        "side_face_y_pos",
+        flat,
+        [0.0, 30.0, 5.0],
+        Y,
+        X,
+        &face(100.0, 10.0),
+    );
+    is(
+        &ports,
+        "side_face_y_neg",
+        flat,
+        [0.0, -30.0, 5.0],
+        NY,
+        X,
+        &face(100.0, 10.0),
+    );
 }
 
 #[test]
 fn the_ports_of_the_housing() {
     let (ops, ports) = build("base_frame.housing_block", json!({"bore_height": 45})).unwrap();
-    assert_eq!(ops.iter().map(Op::name).collect::<Vec<_>>(), ["box", "cylinder", "cut"]);
+    assert_eq!(
+        ops.iter().map(Op::name).collect::<Vec<_>>(),
+        ["box", "cylinder", "cut"]
+    );
     assert_eq!(ports.len(), 8);
-    let Op::Cylinder { at, radius, height } = &ops[1] else { panic!() };
-    assert_eq!((at.origin, at.z, *radius, *height), ([0.0, -20.0, 45.0], Y, 23.5, 40.0));
+    let Op::Cylinder { at, radius, height } = &ops[1] else {
+        panic!()
+    };
+    assert_eq!(
+        (at.origin, at.z, *radius, *height),
+        ([0.0, -20.0, 45.0], Y, 23.5, 40.0)
+    );
     let bore = [("diameter", 47.0), ("depth", 40.0)];
-    is(&ports, "bore_port", PortType::Bore, [0.0, 20.0, 45.0], Y, X, &bore);
-    is(&ports, "bore_port_back", PortType::Bore, [0.0, -20.0, 45.0], NY, X, &bore);
+    is(
+        &ports,
+        "bore_port",
+        PortType::Bore,
+        [0.0, 20.0, 45.0],
+        Y,
+        X,
+        &bore,
+    );
+    is(
+        &ports,
+        "bore_port_back",
+        PortType::Bore,
+        [0.0, -20.0, 45.0],
+        NY,
+        X,
+        &bore,
+    );
     let flat = PortType::FlatFace;
-    is(&ports, "side_face_y_pos", flat, [0.0, 20.0, 10.75], Y, X, &face(80.0, 21.5));
-    is(&ports, "side_face_y_neg", flat, [0.0, -20.0, 10.75], NY, X, &face(80.0, 21.5));
-    is(&ports, "side_face_x_pos", flat, [40.0, 0.0, 40.0], X, Y, &face(40.0, 80.0));
-    is(&ports, "side_face_x_neg", flat, [-40.0, 0.0, 40.0], NX, Y, &face(40.0, 80.0));
-    is(&ports, "top_face", flat, [0.0, 0.0, 80.0], Z, X, &face(80.0, 40.0));
-    is(&ports, "bottom_face", flat, [0.0; 3], NZ, X, &face(80.0, 40.0));
+    is(
+        &ports,
+        "side_face_y_pos",
+        flat,
+        [0.0, 20.0, 10.75],
+        Y,
+        X,
+        &face(80.0, 21.5),
+    );
+    is(
+        &ports,
+        "side_face_y_neg",
+        flat,
+        [0.0, -20.0, 10.75],
+        NY,
+        X,
+        &face(80.0, 21.5),
+    );
+    is(
+        &ports,
+        "side_face_x_pos",
+        flat,
+        [40.0, 0.0, 40.0],
+        X,
+        Y,
+        &face(40.0, 80.0),
+    );
+    is(
+        &ports,
+        "side_face_x_neg",
+        flat,
+        [-40.0, 0.0, 40.0],
+        NX,
+        Y,
+        &face(40.0, 80.0),
+    );
+    is(
+        &ports,
+        "top_face",
+        flat,
+        [0.0, 0.0, 80.0],
+        Z,
+        X,
+        &face(80.0, 40.0),
+    );
+    is(
+        &ports,
+        "bottom_face",
+        flat,
+        [0.0; 3],
+        NZ,
+        X,
+        &face(80.0, 40.0),
+    );
     let (_, ports) = build("base_frame.housing_block", json!({})).unwrap();
     assert_eq!(port(&ports, "bore_port").frame.origin, [0.0, 20.0, 40.0]);
 }
 
 #[test]
 fn every_thin_wall_is_reported() {
-    let faults =
-        build("base_frame.housing_block", json!({"length": 48, "bore_d": 47, "bore_height": 24}))
-            .unwrap_err();
+    let faults = build(
+        "base_frame.housing_block",
+        json!({"length": 48, "bore_d": 47, "bore_height": 24}),
+    )
+    .unwrap_err();
     assert_eq!(faults.len(), 2, "{faults:?}");
     for f in &faults {
         assert_eq!((f.code, f.place.as_str()), (Code::ParamInvalid, "params"));
@@ -107,19 +245,63 @@ fn the_ports_of_the_shaft() {
     assert_eq!(ports.len(), 5);
     let seat = |d: f64, length: f64| [("diameter", d), ("length", length)];
     let shaft = PortType::Shaft;
-    is(&ports, "shaft_seat_1", shaft, [0.0, 0.0, 30.0], Z, X, &seat(20.0, 60.0));
-    is(&ports, "shaft_seat_2", shaft, [0.0, 0.0, 65.0], Z, X, &seat(25.0, 10.0));
-    is(&ports, "shaft_seat_3", shaft, [0.0, 0.0, 90.0], Z, X, &seat(20.0, 40.0));
+    is(
+        &ports,
+        "shaft_seat_1",
+        shaft,
+        [0.0, 0.0, 30.0],
+        Z,
+        X,
+        &seat(20.0, 60.0),
+    );
+    is(
+        &ports,
+        "shaft_seat_2",
+        shaft,
+        [0.0, 0.0, 65.0],
+        Z,
+        X,
+        &seat(25.0, 10.0),
+    );
+    is(
+        &ports,
+        "shaft_seat_3",
+        shaft,
+        [0.0, 0.0, 90.0],
+        Z,
+        X,
+        &seat(20.0, 40.0),
+    );
     let flat = PortType::FlatFace;
-    is(&ports, "end_face_start", flat, [0.0; 3], NZ, X, &face(20.0, 20.0));
-    is(&ports, "end_face_end", flat, [0.0, 0.0, 110.0], Z, X, &face(20.0, 20.0));
+    is(
+        &ports,
+        "end_face_start",
+        flat,
+        [0.0; 3],
+        NZ,
+        X,
+        &face(20.0, 20.0),
+    );
+    is(
+        &ports,
+        "end_face_end",
+        flat,
+        [0.0, 0.0, 110.0],
+        Z,
+        X,
+        &face(20.0, 20.0),
+    );
 }
 
 #[test]
 fn equal_neighbours_make_one_cylinder_and_near_ones_are_refused() {
     let points = |segments: Value| {
-        let (ops, ports) = build("base_frame.stepped_shaft", json!({"segments": segments})).unwrap();
-        (serde_json::to_value(&ops).unwrap()[0]["profile"]["outer"].clone(), ports.len())
+        let (ops, ports) =
+            build("base_frame.stepped_shaft", json!({"segments": segments})).unwrap();
+        (
+            serde_json::to_value(&ops).unwrap()[0]["profile"]["outer"].clone(),
+            ports.len(),
+        )
     };
     let (one, ports) = points(json!([{"d": 10, "length": 5}, {"d": 10, "length": 7}]));
     assert_eq!(ports, 4);
@@ -139,16 +321,59 @@ fn the_ports_of_the_bearing() {
     assert_eq!(ops.len(), 1);
     assert_eq!(ports.len(), 5);
     let bore = [("diameter", 20.0), ("depth", 14.0)];
-    is(&ports, "inner_ring", PortType::Bore, [0.0, 0.0, 14.0], Z, X, &bore);
-    is(&ports, "inner_ring_back", PortType::Bore, [0.0; 3], NZ, X, &bore);
+    is(
+        &ports,
+        "inner_ring",
+        PortType::Bore,
+        [0.0, 0.0, 14.0],
+        Z,
+        X,
+        &bore,
+    );
+    is(
+        &ports,
+        "inner_ring_back",
+        PortType::Bore,
+        [0.0; 3],
+        NZ,
+        X,
+        &bore,
+    );
     let press = [("diameter", 47.0), ("length", 14.0)];
-    is(&ports, "outer_ring", PortType::PressFit, [0.0, 0.0, 7.0], Z, X, &press);
+    is(
+        &ports,
+        "outer_ring",
+        PortType::PressFit,
+        [0.0, 0.0, 7.0],
+        Z,
+        X,
+        &press,
+    );
     // h = 13.5: origin at 23.5 - 0.15 * 13.5, extents 0.3 * 13.5.
     let flat = PortType::FlatFace;
-    is(&ports, "face_front", flat, [21.475, 0.0, 14.0], Z, X, &face(4.05, 4.05));
-    is(&ports, "face_back", flat, [21.475, 0.0, 0.0], NZ, X, &face(4.05, 4.05));
+    is(
+        &ports,
+        "face_front",
+        flat,
+        [21.475, 0.0, 14.0],
+        Z,
+        X,
+        &face(4.05, 4.05),
+    );
+    is(
+        &ports,
+        "face_back",
+        flat,
+        [21.475, 0.0, 0.0],
+        NZ,
+        X,
+        &face(4.05, 4.05),
+    );
     let faults = build("bearing.ball", json!({"d_i": 47})).unwrap_err();
-    assert!(faults[0].message.contains("d_o") && faults[0].message.contains("d_i"), "{faults:?}");
+    assert!(
+        faults[0].message.contains("d_o") && faults[0].message.contains("d_i"),
+        "{faults:?}"
+    );
 }
 
 /// Smallest, default and largest value of a parameter.
@@ -158,7 +383,12 @@ fn corners(spec: &ParamSpec) -> Vec<Value> {
         ParamKind::Integer { min, max, .. } => vec![json!(min), spec.default_value(), json!(max)],
         ParamKind::Choice { choices, .. } => choices.iter().map(|c| json!(c)).collect(),
         ParamKind::Flag { .. } => vec![json!(false), json!(true)],
-        ParamKind::Records { fields, min_items, max_items, .. } => {
+        ParamKind::Records {
+            fields,
+            min_items,
+            max_items,
+            ..
+        } => {
             let mut lists = vec![spec.default_value()];
             for record in combinations(fields) {
                 for n in [*min_items, *max_items] {
@@ -201,13 +431,20 @@ fn every_corner_is_built_or_refused_with_a_reason() {
                 Err(faults) => {
                     refused += 1;
                     for f in faults {
-                        assert_eq!((f.code, f.place.as_str()), (Code::ParamInvalid, "params"), "{f}");
+                        assert_eq!(
+                            (f.code, f.place.as_str()),
+                            (Code::ParamInvalid, "params"),
+                            "{f}"
+                        );
                         let named = factory.params().iter().any(|s| f.message.contains(&s.name));
                         assert!(named, "{name} {params:?}: {f}");
                     }
                 }
             }
         }
-        assert!(built > refused / 8, "{name}: {built} built, {refused} refused");
+        assert!(
+            built > refused / 8,
+            "{name}: {built} built, {refused} refused"
+        );
     }
 }

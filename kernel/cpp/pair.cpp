@@ -1,4 +1,5 @@
 #include <BRepAlgoAPI_Common.hxx>
+#include <BRepBndLib.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRepGProp.hxx>
 #include <GProp_GProps.hxx>
@@ -24,8 +25,11 @@ CommonRaw common_part(const Solid& a, const Pose& at_a, const Solid& b, const Po
   CommonRaw out{};
   const TopoDS_Shape first = moved(a, at_a);
   const TopoDS_Shape second = moved(b, at_b);
-  const Bnd_Box one = tight_box(first);
-  const Bnd_Box two = tight_box(second);
+  // The loose boxes, which are quick and never too small: those of free-form faces hold their poles.
+  Bnd_Box one;
+  Bnd_Box two;
+  BRepBndLib::Add(first, one, Standard_False);
+  BRepBndLib::Add(second, two, Standard_False);
   if (one.IsOut(two)) {
     return out;
   }

@@ -26,7 +26,7 @@ pub struct Face {
 /// `inward`: the material lies around the surface, as at a hole. `span_deg`: how far the face goes
 /// round; 360 for a full turn.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
+#[serde(rename_all = "snake_case")]
 pub enum Surface {
     /// A plane.
     Plane {
@@ -108,7 +108,7 @@ pub struct Edge {
 
 /// The sorts of curves.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case")]
+#[serde(rename_all = "snake_case")]
 pub enum Curve {
     /// A straight line.
     Line,

@@ -32,7 +32,11 @@ pub struct Limits {
 
 impl Default for Limits {
     fn default() -> Self {
-        Self { memory_mb: 4096, cpu_s: 60, wall_s: 120 }
+        Self {
+            memory_mb: 4096,
+            cpu_s: 60,
+            wall_s: 120,
+        }
     }
 }
 
@@ -69,7 +73,11 @@ impl Pool {
     #[must_use]
     pub fn new(config: Config) -> Self {
         let permits = Semaphore::new(config.workers.max(1));
-        Self { config, permits, idle: Mutex::new(Vec::new()) }
+        Self {
+            config,
+            permits,
+            idle: Mutex::new(Vec::new()),
+        }
     }
 
     /// The most requests that run at once.
@@ -91,7 +99,10 @@ impl Pool {
                     self.push(worker);
                     return result;
                 }
-                Outcome::Lost { started: true, failure } => return Err(failure),
+                Outcome::Lost {
+                    started: true,
+                    failure,
+                } => return Err(failure),
                 Outcome::Lost { started: false, .. } => {}
             }
         }
@@ -122,15 +133,24 @@ impl Pool {
     }
 
     async fn permit(&self) -> Result<tokio::sync::SemaphorePermit<'_>, Failure> {
-        self.permits.acquire().await.map_err(|_| failed(FailureKind::Worker, "the pool is closed"))
+        self.permits
+            .acquire()
+            .await
+            .map_err(|_| failed(FailureKind::Worker, "the pool is closed"))
     }
 
     fn pop(&self) -> Option<Worker> {
-        self.idle.lock().unwrap_or_else(PoisonError::into_inner).pop()
+        self.idle
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .pop()
     }
 
     fn push(&self, worker: Worker) {
-        self.idle.lock().unwrap_or_else(PoisonError::into_inner).push(worker);
+        self.idle
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .push(worker);
     }
 
     async fn start(&self) -> Result<Worker, Failure> {
@@ -148,11 +168,20 @@ impl Pool {
             // The socket is the worker's standard input, in both directions: whatever the kernel
             // prints on standard output cannot touch it.
             command.stdin(Stdio::from(OwnedFd::from(theirs)));
-            command.stdout(Stdio::null()).stderr(Stdio::inherit()).kill_on_drop(true);
-            Ok(Worker { child: command.spawn()?, socket: UnixStream::from_std(ours)? })
+            command
+                .stdout(Stdio::null())
+                .stderr(Stdio::inherit())
+                .kill_on_drop(true);
+            Ok(Worker {
+                child: command.spawn()?,
+                socket: UnixStream::from_std(ours)?,
+            })
         };
         start().map_err(|e| {
-            failed(FailureKind::Worker, &format!("a worker could not be started: {e}"))
+            failed(
+                FailureKind::Worker,
+                &format!("a worker could not be started: {e}"),
+            )
         })
     }
 
@@ -163,7 +192,10 @@ impl Pool {
             Ok(Ok(result)) => Outcome::Done(result),
             Ok(Err(error)) => {
                 let started = doing.is_some();
-                Outcome::Lost { started, failure: self.post_mortem(worker, doing, &error).await }
+                Outcome::Lost {
+                    started,
+                    failure: self.post_mortem(worker, doing, &error).await,
+                }
             }
             Err(_) => {
                 // Waits for the process to be gone, so that its memory is free for the next one.
@@ -171,7 +203,11 @@ impl Pool {
                 let message = format!("it took longer than the limit of {} s", wall.as_secs());
                 Outcome::Lost {
                     started: true,
-                    failure: Failure { kind: FailureKind::Wall, doing, message },
+                    failure: Failure {
+                        kind: FailureKind::Wall,
+                        doing,
+                        message,
+                    },
                 }
             }
         }
@@ -190,10 +226,17 @@ impl Pool {
             Ok(Ok(status)) => self.cause_of_death(status),
             _ => {
                 let _ = worker.child.kill().await;
-                (FailureKind::Worker, format!("the worker could not be understood: {error}"))
+                (
+                    FailureKind::Worker,
+                    format!("the worker could not be understood: {error}"),
+                )
             }
         };
-        Failure { kind, doing, message }
+        Failure {
+            kind,
+            doing,
+            message,
+        }
     }
 
     fn cause_of_death(&self, status: ExitStatus) -> (FailureKind, String) {
@@ -202,12 +245,18 @@ impl Pool {
         match status.signal() {
             Some(s) if s == Signal::XCPU.as_raw() => (
                 FailureKind::Cpu,
-                format!("it used more processor time than the limit of {} s", limits.cpu_s),
+                format!(
+                    "it used more processor time than the limit of {} s",
+                    limits.cpu_s
+                ),
             ),
             Some(s) => (FailureKind::Crash, format!("the worker died of signal {s}")),
             None => (
                 FailureKind::Crash,
-                format!("the worker ended with code {}", status.code().unwrap_or_default()),
+                format!(
+                    "the worker ended with code {}",
+                    status.code().unwrap_or_default()
+                ),
             ),
         }
     }
@@ -225,7 +274,10 @@ async fn converse<'a, T: Serialize>(
     job: &T,
     doing: &mut Option<Doing>,
 ) -> std::io::Result<Result<(Reply, Vec<u8>), Failure>> {
-    worker.socket.write_all(&protocol::encode(job, &[])?).await?;
+    worker
+        .socket
+        .write_all(&protocol::encode(job, &[])?)
+        .await?;
     loop {
         let mut head = [0; 8];
         worker.socket.read_exact(&mut head).await?;
@@ -243,5 +295,9 @@ async fn converse<'a, T: Serialize>(
 }
 
 fn failed(kind: FailureKind, message: &str) -> Failure {
-    Failure { kind, doing: None, message: message.to_owned() }
+    Failure {
+        kind,
+        doing: None,
+        message: message.to_owned(),
+    }
 }

@@ -24,7 +24,7 @@ pub struct Placed {
 
 /// A piece of work for a worker.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(tag = "job", rename_all = "snake_case")]
+#[serde(rename_all = "snake_case")]
 pub enum Job {
     /// Make a solid and measure it.
     Build {
@@ -89,7 +89,7 @@ pub struct Instance {
 
 /// What a worker answers.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(tag = "say", rename_all = "snake_case")]
+#[serde(rename_all = "snake_case")]
 pub enum Message {
     /// What the worker is about to do, said before it does it: the last of these names the culprit
     /// when the worker dies.
@@ -124,7 +124,7 @@ impl core::fmt::Display for Doing {
 
 /// The result of a job.
 #[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(tag = "reply", rename_all = "snake_case")]
+#[serde(rename_all = "snake_case")]
 pub enum Reply {
     /// Of [`Job::Build`].
     Built(Built),
@@ -270,9 +270,15 @@ pub fn encode<T: Serialize>(header: &T, block: &[u8]) -> io::Result<Vec<u8>> {
 /// When one exceeds [`MAX_LENGTH`].
 pub fn lengths(head: [u8; 8]) -> io::Result<(usize, usize)> {
     let [a, b, c, d, e, f, g, h] = head;
-    let (header, block) = (u32::from_le_bytes([a, b, c, d]), u32::from_le_bytes([e, f, g, h]));
+    let (header, block) = (
+        u32::from_le_bytes([a, b, c, d]),
+        u32::from_le_bytes([e, f, g, h]),
+    );
     if header > MAX_LENGTH || block > MAX_LENGTH {
-        return Err(io::Error::new(io::ErrorKind::InvalidData, "message too long"));
+        return Err(io::Error::new(
+            io::ErrorKind::InvalidData,
+            "message too long",
+        ));
     }
     Ok((header as usize, block as usize))
 }
@@ -302,7 +308,11 @@ mod tests {
     #[test]
     fn messages_come_back_as_they_went() {
         let doing = |operation: &str| {
-            Message::Doing(Doing { operation: operation.to_owned(), step: Some(2), recipe: None })
+            Message::Doing(Doing {
+                operation: operation.to_owned(),
+                step: Some(2),
+                recipe: None,
+            })
         };
         let mut bytes = Vec::new();
         write(&mut bytes, &doing("fuse"), b"").unwrap();
@@ -310,8 +320,13 @@ mod tests {
         let mut from = bytes.as_slice();
         for (operation, block) in [("fuse", &b""[..]), ("cut", b"\x00\xff")] {
             let (message, bytes) = read::<Message>(&mut from).unwrap().unwrap();
-            let Message::Doing(doing) = message else { panic!("{message:?}") };
-            assert_eq!((doing.operation.as_str(), bytes.as_slice()), (operation, block));
+            let Message::Doing(doing) = message else {
+                panic!("{message:?}")
+            };
+            assert_eq!(
+                (doing.operation.as_str(), bytes.as_slice()),
+                (operation, block)
+            );
             assert_eq!(doing.to_string(), format!("operation 3 ({operation})"));
         }
         assert!(read::<Message>(&mut from).unwrap().is_none());

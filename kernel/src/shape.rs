@@ -17,6 +17,9 @@ pub struct Shape {
     solid: UniquePtr<bridge::Solid>,
     // Every boolean compares volumes, and a solid never changes.
     pub(crate) mass: OnceCell<Mass>,
+    // Reading brings slanted directions to unit length anew, so that writing what was read may
+    // differ in the last digit, and never settles: a solid keeps the bytes it came from.
+    bytes: OnceCell<Vec<u8>>,
 }
 
 impl core::fmt::Debug for Shape {
@@ -33,6 +36,7 @@ impl Shape {
         Ok(Self {
             solid,
             mass: OnceCell::new(),
+            bytes: OnceCell::new(),
         })
     }
 
@@ -44,11 +48,16 @@ impl Shape {
 
     /// The solid as bytes: OCCT's binary BREP, version 4, without triangulation.
     ///
-    /// The same solid gives the same bytes; reading and writing again changes nothing.
+    /// A solid from bytes gives back those very bytes. One made by a verb is written now, and
+    /// reading it may change the last digit of a slanted direction: [`crate::replay()`] hands out
+    /// solids that have been read already.
     ///
     /// # Errors
     /// When the kernel cannot write it or memory runs out.
     pub fn to_bytes(&self) -> Result<Vec<u8>> {
+        if let Some(known) = self.bytes.get() {
+            return Ok(known.clone());
+        }
         bridge::to_bytes(self.solid()?).context(|| "the solid could not be stored".into())
     }
 
@@ -58,9 +67,16 @@ impl Shape {
     /// When the bytes hold no shape. Damaged bytes may crash the kernel: check their hash before.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         start()?;
+        if !bytes.trim_ascii_start().starts_with(BREP) {
+            return Err(KernelError::refused(
+                "the stored solid could not be read: the bytes are no binary BREP of version 4",
+            ));
+        }
         let solid = bridge::from_bytes(bytes)
             .context(|| "the stored solid could not be read".to_owned())?;
-        Self::wrap(solid)
+        let shape = Self::wrap(solid)?;
+        shape.bytes.get_or_init(|| bytes.to_vec());
+        Ok(shape)
     }
 
     /// The solid moved, its geometry written anew: no location stays on it.
@@ -80,6 +96,9 @@ impl Shape {
         bridge::has_locations(self.solid()?).context(|| "the solid could not be walked".into())
     }
 }
+
+/// How the bytes of a solid begin.
+const BREP: &[u8] = b"Open CASCADE Topology V4";
 
 /// Makes the kernel silent: OCCT prints to stdout, which may carry a protocol.
 pub(crate) fn start() -> Result<()> {

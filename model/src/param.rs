@@ -1,13 +1,13 @@
 //! Parameters of factories: declared once, from which come the checks and the JSON Schema.
 
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::name::nearest;
 
 /// One declared parameter.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ParamSpec {
     /// Name, as in a specification's `params`.
     pub name: String,
@@ -19,7 +19,7 @@ pub struct ParamSpec {
 }
 
 /// Type, range and default of a parameter.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(tag = "type", rename_all = "snake_case")]
 pub enum ParamKind {
     /// A real number.

@@ -39,7 +39,7 @@ pub type Ref = u32;
 
 /// One operation. Lengths in mm, angles in degrees.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "op", rename_all = "snake_case", deny_unknown_fields)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Op {
     /// A box from the origin of `at` to `size` along its axes.
     Box {
@@ -205,7 +205,7 @@ pub struct Profile {
 
 /// A closed outline in the plane of a profile.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Outline {
     /// A full circle.
     Circle {
@@ -225,7 +225,7 @@ pub enum Outline {
 
 /// One piece of an outline, from where the last one ended.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Segment {
     /// A straight line.
     Line {
@@ -243,7 +243,7 @@ pub enum Segment {
 
 /// Which edges of a solid an operation means.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(tag = "kind", rename_all = "snake_case", deny_unknown_fields)]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum EdgeSelector {
     /// Every edge.
     All,

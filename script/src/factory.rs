@@ -48,11 +48,7 @@ impl Factory {
     ///
     /// # Errors
     /// One diagnostic for each fault found, at `factory NAME:line LINE`.
-    pub fn parse_within(
-        name: &str,
-        source: &str,
-        limits: Limits,
-    ) -> Result<Self, Vec<Diagnostic>> {
+    pub fn parse_within(name: &str, source: &str, limits: Limits) -> Result<Self, Vec<Diagnostic>> {
         if source.len() > limits.source_bytes {
             let fault = Fault::new(format!(
                 "the source has {} bytes, more than {} (limit source_bytes)",
@@ -62,10 +58,24 @@ impl Factory {
             .hint("split it into several factories");
             return Err(vec![fault.diagnostic(name, None)]);
         }
-        let job = Job { name: name.to_owned(), source: Arc::from(source), limits };
+        let job = Job {
+            name: name.to_owned(),
+            source: Arc::from(source),
+            limits,
+        };
         let declaration = job.clone().declare()?;
-        let Job { name, source, limits } = job;
-        Ok(Self { name, source, limits, doc: declaration.doc, params: declaration.params })
+        let Job {
+            name,
+            source,
+            limits,
+        } = job;
+        Ok(Self {
+            name,
+            source,
+            limits,
+            doc: declaration.doc,
+            params: declaration.params,
+        })
     }
 
     /// The factory's name.
@@ -108,7 +118,10 @@ impl Factory {
     ///
     /// # Errors
     /// One diagnostic for every unknown name and every value out of type or range, under `params`.
-    pub fn check(&self, params: &Map<String, Value>) -> Result<Map<String, Value>, Vec<Diagnostic>> {
+    pub fn check(
+        &self,
+        params: &Map<String, Value>,
+    ) -> Result<Map<String, Value>, Vec<Diagnostic>> {
         check_all(&self.params, params, "params")
     }
 
@@ -125,6 +138,10 @@ impl Factory {
             limits: self.limits.clone(),
         };
         let (recipe, lines) = job.build(self.params.clone(), params.clone())?;
-        Ok(Evaluated { recipe, lines, params })
+        Ok(Evaluated {
+            recipe,
+            lines,
+            params,
+        })
     }
 }

@@ -22,7 +22,12 @@ pub(crate) struct Fault {
 
 impl Fault {
     pub(crate) fn new(message: impl Into<String>) -> Self {
-        Self { message: message.into(), hint: None, line: None, of_params: false }
+        Self {
+            message: message.into(),
+            hint: None,
+            line: None,
+            of_params: false,
+        }
     }
 
     pub(crate) fn hint(mut self, hint: impl Into<String>) -> Self {
@@ -114,7 +119,12 @@ pub(crate) fn diagnostic(name: &str, limits: &Limits, error: &starlark::Error) -
 /// The line of the statement or call at fault, 1-based.
 fn line_of(error: &starlark::Error) -> Option<u32> {
     let span = error.span().or_else(|| {
-        error.call_stack().frames.iter().rev().find_map(|frame| frame.location.as_ref())
+        error
+            .call_stack()
+            .frames
+            .iter()
+            .rev()
+            .find_map(|frame| frame.location.as_ref())
     })?;
     line_at(span)
 }
@@ -125,23 +135,35 @@ pub(crate) fn line_at(span: &starlark::codemap::FileSpan) -> Option<u32> {
 }
 
 pub(crate) fn too_deep(limits: &Limits) -> Fault {
-    Fault::new(format!("calls are nested more than {} deep (limit call_depth)", limits.call_depth))
-        .hint("a function must not call itself: write a for loop over a list or a range")
+    Fault::new(format!(
+        "calls are nested more than {} deep (limit call_depth)",
+        limits.call_depth
+    ))
+    .hint("a function must not call itself: write a for loop over a list or a range")
 }
 
 pub(crate) fn too_much_memory(limits: &Limits) -> Fault {
-    Fault::new(format!("values use more than {} bytes (limit heap_bytes)", limits.heap_bytes))
-        .hint("keep lists short; do not join texts in a loop")
+    Fault::new(format!(
+        "values use more than {} bytes (limit heap_bytes)",
+        limits.heap_bytes
+    ))
+    .hint("keep lists short; do not join texts in a loop")
 }
 
 pub(crate) fn too_long(limits: &Limits) -> Fault {
-    Fault::new(format!("the evaluation took longer than {:?} (limit time)", limits.time))
-        .hint("do less work in loops")
+    Fault::new(format!(
+        "the evaluation took longer than {:?} (limit time)",
+        limits.time
+    ))
+    .hint("do less work in loops")
 }
 
 pub(crate) fn too_many_ticks(limits: &Limits) -> Fault {
-    Fault::new(format!("more than {} calls and turns of loops (limit ticks)", limits.ticks))
-        .hint("do less work in loops")
+    Fault::new(format!(
+        "more than {} calls and turns of loops (limit ticks)",
+        limits.ticks
+    ))
+    .hint("do less work in loops")
 }
 
 fn syntax(text: &str) -> Fault {
@@ -157,7 +179,10 @@ fn unknown_name(text: &str) -> Fault {
         return fault.hint(hint);
     }
     match assemcad_model::name::nearest(wanted, crate::language::names(), 3).as_slice() {
-        [] => fault.hint(format!("there are: {}", crate::language::names().join(", "))),
+        [] => fault.hint(format!(
+            "there are: {}",
+            crate::language::names().join(", ")
+        )),
         near => fault.hint(format!("did you mean {}?", near.join(" or "))),
     }
 }

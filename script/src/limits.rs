@@ -38,16 +38,16 @@ impl Default for Limits {
         Self {
             source_bytes: 64 << 10,
             nesting: 300,
-            statements: 1_000_000,
-            ticks: 2_000_000,
+            statements: 300_000,
+            ticks: 1_000_000,
             call_depth: 100,
-            heap_bytes: 64 << 20,
+            heap_bytes: 16 << 20,
             text_bytes: 64 << 10,
-            list_items: 100_000,
+            list_items: 20_000,
             operations: 20_000,
             pieces: 200_000,
             time: Duration::from_secs(10),
-            stack_bytes: 64 << 20,
+            stack_bytes: 512 << 20,
         }
     }
 }

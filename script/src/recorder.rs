@@ -69,7 +69,12 @@ impl Recorder {
                 && !*seen
             {
                 *seen = true;
-                stack.extend(self.ops.get(index as usize).map(Op::inputs).unwrap_or_default());
+                stack.extend(
+                    self.ops
+                        .get(index as usize)
+                        .map(Op::inputs)
+                        .unwrap_or_default(),
+                );
             }
         }
         let mut new_index = vec![0_u32; self.ops.len()];
@@ -79,9 +84,24 @@ impl Recorder {
             next += u32::from(*needed);
         }
         let rename = |old: u32| new_index.get(old as usize).copied().unwrap_or_default();
-        let kept = || self.ops.iter().zip(&self.lines).zip(&needed).filter(|(_, needed)| **needed);
-        let ops = kept().map(|((op, _), _)| op.clone().with_inputs(rename)).collect();
+        let kept = || {
+            self.ops
+                .iter()
+                .zip(&self.lines)
+                .zip(&needed)
+                .filter(|(_, needed)| **needed)
+        };
+        let ops = kept()
+            .map(|((op, _), _)| op.clone().with_inputs(rename))
+            .collect();
         let lines = kept().map(|((_, line), _)| *line).collect();
-        (Recipe { format: FORMAT, ops, ports: ports.as_ref().clone() }, lines)
+        (
+            Recipe {
+                format: FORMAT,
+                ops,
+                ports: ports.as_ref().clone(),
+            },
+            lines,
+        )
     }
 }

@@ -134,10 +134,13 @@ impl Job {
         let dialect = dialect();
         let faults = crate::scan::scan(&self.source, &dialect, &self.limits);
         if !faults.is_empty() {
-            return Err(faults.into_iter().map(|f| f.diagnostic(&self.name, None)).collect());
+            return Err(faults
+                .into_iter()
+                .map(|f| f.diagnostic(&self.name, None))
+                .collect());
         }
-        let mut ast = AstModule::parse(&self.name, self.source.to_string(), &dialect)
-            .map_err(|e| one(&e))?;
+        let mut ast =
+            AstModule::parse(&self.name, self.source.to_string(), &dialect).map_err(|e| one(&e))?;
         ast.replace_binary_operators(&guard::operators());
         let session = Session::new(&self.limits);
         let deadline = Instant::now() + self.limits.time;
@@ -145,7 +148,9 @@ impl Job {
         Module::with_temp_heap(|module| {
             let mut eval = Evaluator::new(&module);
             eval.extra = Some(&session);
-            eval.set_print_handler(&Nowhere);
+            // The collector walks values by recursion, as deep as a script has nested them; the limit
+            // on memory makes it needless.
+            eval.disable_gc();
             eval.set_check_cancelled(Box::new(ended.clone()));
             let prepared = eval
                 .set_max_callstack_size(self.limits.call_depth)
@@ -162,7 +167,8 @@ impl Job {
                 statements: 0,
                 ended,
             })));
-            eval.eval_module(ast, language::globals()).map_err(|e| one(&e))?;
+            eval.eval_module(ast, language::globals())
+                .map_err(|e| one(&e))?;
             finish(self, &session, &module, &mut eval)
         })
     }
@@ -201,14 +207,5 @@ impl<'e, F: Fn() -> bool> BeforeStmtFuncDyn<'e> for Watch<F> {
             None => fault,
         };
         Err(starlark::Error::new_native(anyhow::Error::new(fault)))
-    }
-}
-
-/// Where `print` goes.
-struct Nowhere;
-
-impl starlark::PrintHandler for Nowhere {
-    fn println(&self, _text: &str) -> starlark::Result<()> {
-        Ok(())
     }
 }

@@ -26,29 +26,43 @@ pub(crate) const UNGUARDED_METHODS: [(&str, &str); 4] = [
 pub(crate) fn scan(source: &str, dialect: &Dialect, limits: &Limits) -> Vec<Fault> {
     let codemap = CodeMap::new(String::new(), source.to_owned());
     let line = |at: usize| {
-        let before = source.as_bytes().iter().take(at).filter(|b| **b == b'\n').count();
+        let before = source
+            .as_bytes()
+            .iter()
+            .take(at)
+            .filter(|b| **b == b'\n')
+            .count();
         u32::try_from(before + 1).unwrap_or(u32::MAX)
     };
     let mut faults = Vec::new();
     let mut depth = Depth::default();
     let mut previous = Previous::Nothing;
     for lexeme in Lexer::new(codemap.source(), dialect, codemap.clone()) {
-        let Ok((begin, token, end)) = lexeme else { break };
+        let (begin, token, end) = match lexeme {
+            Ok(lexeme) => lexeme,
+            Err(e) => match reserved_word(&e.into_error()) {
+                Some(fault) if faults.len() < MOST_FAULTS => {
+                    faults.push(fault);
+                    previous = Previous::Nothing;
+                    continue;
+                }
+                _ => break,
+            },
+        };
         if depth.step(&token) > limits.nesting {
             faults.push(too_deep(limits).line(line(begin)));
             break;
         }
         let text = source.get(begin..end).unwrap_or_default();
         let fault = match &token {
-            Token::Reserved => Some(reserved(text)),
             Token::Load => Some(reserved("import")),
             Token::FStringStart(_) => Some(
                 Fault::new("there are no f-strings")
                     .hint("write `\"bore %s leaves no wall\" % d`, or `\"bore \" + str(d)`"),
             ),
-            Token::StarStar if previous == Previous::Operand => Some(
-                Fault::new("there is no operator '**'").hint("write `x * x`, or `pow(x, y)`"),
-            ),
+            Token::StarStar if previous == Previous::Operand => {
+                Some(Fault::new("there is no operator '**'").hint("write `x * x`, or `pow(x, y)`"))
+            }
             Token::StarEqual | Token::PercentEqual | Token::LessLessEqual => {
                 let operator = text.trim_end_matches('=');
                 Some(
@@ -56,9 +70,9 @@ pub(crate) fn scan(source: &str, dialect: &Dialect, limits: &Limits) -> Vec<Faul
                         .hint(format!("write `x = x {operator} y`")),
                 )
             }
-            Token::Identifier(name) if name.starts_with(RESERVED_PREFIX) => {
-                Some(Fault::new(format!("names do not begin with '{RESERVED_PREFIX}'")))
-            }
+            Token::Identifier(name) if name.starts_with(RESERVED_PREFIX) => Some(Fault::new(
+                format!("names do not begin with '{RESERVED_PREFIX}'"),
+            )),
             Token::Identifier(name) if previous == Previous::Dot => method(name),
             _ => None,
         };
@@ -125,7 +139,10 @@ impl Depth {
             Token::Identifier(_) | Token::Int(_) | Token::Float(_) | Token::String(_) => {}
             _ => *self.level() += 1,
         }
-        let open = self.open.iter().fold(self.open.len(), |sum, n| sum.saturating_add(*n));
+        let open = self
+            .open
+            .iter()
+            .fold(self.open.len(), |sum, n| sum.saturating_add(*n));
         open + self.outer + self.blocks + self.branches
     }
 
@@ -135,13 +152,28 @@ impl Depth {
 }
 
 fn too_deep(limits: &Limits) -> Fault {
-    Fault::new(format!("the source is nested more than {} deep (limit nesting)", limits.nesting))
-        .hint("split the statement: give its pieces names")
+    Fault::new(format!(
+        "the source is nested more than {} deep (limit nesting)",
+        limits.nesting
+    ))
+    .hint("split the statement: give its pieces names")
 }
 
 fn method(name: &str) -> Option<Fault> {
-    let (_, hint) = UNGUARDED_METHODS.iter().find(|(method, _)| *method == name)?;
+    let (_, hint) = UNGUARDED_METHODS
+        .iter()
+        .find(|(method, _)| *method == name)?;
     Some(Fault::new(format!("there is no method '{name}'")).hint(*hint))
+}
+
+/// The lexer itself refuses words that Python has reserved; its error spans the word.
+fn reserved_word(error: &starlark::Error) -> Option<Fault> {
+    let span = error.span()?;
+    let word = span.source_span();
+    let is_word = !word.is_empty() && word.chars().all(|c| c.is_ascii_lowercase());
+    let fault = reserved(word);
+    let fault = crate::fault::line_at(span).map_or(fault.clone(), |line| fault.line(line));
+    is_word.then_some(fault)
 }
 
 fn reserved(word: &str) -> Fault {

@@ -44,7 +44,11 @@ pub(crate) fn run<T: Send + 'static>(
             // Nobody may be listening any more, and then there is nobody to tell.
             drop(send.send(result));
         })
-        .map_err(|e| Fault::new(format!("no thread could be started for the evaluation: {e}")))?;
+        .map_err(|e| {
+            Fault::new(format!(
+                "no thread could be started for the evaluation: {e}"
+            ))
+        })?;
     match receive.recv_timeout(limits.time.saturating_mul(2)) {
         Ok(Some(result)) => Ok(result),
         Err(mpsc::RecvTimeoutError::Timeout) => {
@@ -55,9 +59,9 @@ pub(crate) fn run<T: Send + 'static>(
             }
             Err(too_long(limits))
         }
-        Ok(None) | Err(mpsc::RecvTimeoutError::Disconnected) => {
-            Err(Fault::new("the interpreter met a fault of its own in this script")
-                .hint("write the script in a simpler way"))
-        }
+        Ok(None) | Err(mpsc::RecvTimeoutError::Disconnected) => Err(Fault::new(
+            "the interpreter met a fault of its own in this script",
+        )
+        .hint("write the script in a simpler way")),
     }
 }

@@ -92,15 +92,14 @@ impl Tool for DescribeFactory {
     const EFFECT: Effect = Effect::Reads;
 
     async fn run(workshop: &Workshop, arguments: Arguments) -> Result<Answer, Faults> {
-        let factory = workshop.registry.get(&arguments.factory).map_err(|d| vec![d])?;
-        let made = factory.build(&arguments.params)?;
-        let schema = assemcad_model::param::object_schema(factory.params());
+        let factory = workshop.registry.get(&arguments.factory).map_err(|d| vec![*d])?;
+        let made = workshop.registry.build(&arguments.factory, &arguments.params)?;
         Ok(Answer {
             factory: arguments.factory.clone(),
             doc: factory.doc().to_owned(),
-            params_schema: schema.as_object().cloned().unwrap_or_default(),
+            params_schema: factory.schema().as_object().cloned().unwrap_or_default(),
             ports: made.recipe.ports.iter().map(PortAnswer::from).collect(),
-            source_sha256: factory.source_sha256().to_owned(),
+            source_sha256: factory.source_sha256(),
         })
     }
 }

@@ -1,6 +1,7 @@
 //! `list_factories`.
 
 use assemcad_assembly::{Faults, Workshop};
+use assemcad_factories::Factory;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -43,19 +44,13 @@ impl Tool for ListFactories {
     const EFFECT: Effect = Effect::Reads;
 
     async fn run(workshop: &Workshop, arguments: Arguments) -> Result<Answer, Faults> {
-        let mut factories = Vec::new();
-        for name in workshop.registry.names() {
-            if !name.contains(&arguments.name_contains) {
-                continue;
-            }
-            let factory = workshop.registry.get(name).map_err(|d| vec![d])?;
-            factories.push(Entry {
-                factory: name.to_owned(),
-                summary: first_sentence(factory.doc()).to_owned(),
-                params: factory.params().iter().map(|p| p.name.clone()).collect(),
-            });
-        }
-        Ok(Answer { factories })
+        let wanted = workshop.registry.iter().filter(|f| f.name().contains(&arguments.name_contains));
+        let entry = |factory: &Factory| Entry {
+            factory: factory.name().to_owned(),
+            summary: first_sentence(factory.doc()).to_owned(),
+            params: factory.params().iter().map(|p| p.name.clone()).collect(),
+        };
+        Ok(Answer { factories: wanted.map(entry).collect() })
     }
 }
 

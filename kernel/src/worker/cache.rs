@@ -36,7 +36,10 @@ pub(super) struct Disk {
 
 impl Disk {
     pub(super) fn new(folder: PathBuf, kernel: &str) -> Self {
-        Self { folder, kernel: kernel.replace(char::is_whitespace, "_") }
+        Self {
+            folder,
+            kernel: kernel.replace(char::is_whitespace, "_"),
+        }
     }
 
     fn path(&self, recipe: &str) -> PathBuf {
@@ -49,10 +52,14 @@ impl Disk {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Entry::Missing,
             Err(_) => return Entry::Damaged,
         };
-        let Some(end) = bytes.iter().position(|b| *b == b'\n') else { return Entry::Damaged };
+        let Some(end) = bytes.iter().position(|b| *b == b'\n') else {
+            return Entry::Damaged;
+        };
         let (head, payload) = bytes.split_at(end);
         let payload = payload.get(1..).unwrap_or_default();
-        let Ok(head) = std::str::from_utf8(head) else { return Entry::Damaged };
+        let Ok(head) = std::str::from_utf8(head) else {
+            return Entry::Damaged;
+        };
         match head.split(' ').collect::<Vec<_>>().as_slice() {
             [MAGIC, kernel, _, _] if *kernel != self.kernel => Entry::Missing,
             [MAGIC, _, of, sum] if *of == recipe && *sum == sha256(payload) => {
@@ -65,7 +72,9 @@ impl Disk {
     /// Writes an entry beside its place and moves it there, so that no reader sees half of one.
     pub(super) fn write(&self, recipe: &str, payload: &[u8]) -> io::Result<()> {
         fs::create_dir_all(&self.folder)?;
-        let part = self.folder.join(format!(".{recipe}.{}", std::process::id()));
+        let part = self
+            .folder
+            .join(format!(".{recipe}.{}", std::process::id()));
         let head = format!("{MAGIC} {} {recipe} {}\n", self.kernel, sha256(payload));
         let done = write_whole(&part, head.as_bytes(), payload)
             .and_then(|()| fs::rename(&part, self.path(recipe)));

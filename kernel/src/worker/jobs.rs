@@ -16,6 +16,9 @@ use crate::protocol::{
 use crate::shape::Shape;
 use crate::{pair, replay, step};
 
+/// What stands in a STEP header where it asks for persons.
+const UNSTATED: &str = "not stated";
+
 /// Says what is about to be done.
 type Tell<'a> = &'a mut dyn FnMut(Doing);
 
@@ -39,27 +42,41 @@ pub(super) struct Bench {
 impl Bench {
     pub(super) fn new(folder: Option<PathBuf>) -> Self {
         let disk = folder.map(|f| Disk::new(f, &crate::fingerprint()));
-        Self { memory: cache::in_memory(), disk }
+        Self {
+            memory: cache::in_memory(),
+            disk,
+        }
     }
 
     pub(super) fn work(&mut self, job: &Job, tell: Tell<'_>) -> Result<(Reply, Vec<u8>)> {
         // Said at once: from now on the job counts as started.
-        tell(Doing { operation: job.name().to_owned(), step: None, recipe: None });
+        tell(Doing {
+            operation: job.name().to_owned(),
+            step: None,
+            recipe: None,
+        });
         match job {
             Job::Build { recipe } => Ok((Reply::Built(self.build(recipe, tell)?), Vec::new())),
             Job::CommonVolume { a, b, samples } => {
                 let common = self.common_volume(a, b, *samples, tell)?;
                 Ok((Reply::CommonVolume(common), Vec::new()))
             }
-            Job::Step { solids, instances, name, description } => {
-                self.step(solids, instances, name, description, tell)
-            }
+            Job::Step {
+                solids,
+                instances,
+                name,
+                description,
+            } => self.step(solids, instances, name, description, tell),
         }
     }
 
     fn build(&mut self, recipe: &Recipe, tell: Tell<'_>) -> Result<Built> {
         let (hash, solid, source) = self.solid(recipe, tell)?;
-        tell(Doing { operation: "measure".to_owned(), step: None, recipe: Some(hash.clone()) });
+        tell(Doing {
+            operation: "measure".to_owned(),
+            step: None,
+            recipe: Some(hash.clone()),
+        });
         let (mass, bounds) = (solid.shape.mass()?, solid.shape.bounds()?);
         Ok(Built {
             recipe: hash,
@@ -83,11 +100,21 @@ impl Bench {
         let (_, solid_a, _) = self.solid(&a.recipe, tell)?;
         let (_, solid_b, _) = self.solid(&b.recipe, tell)?;
         let (at_a, at_b) = (Placement::from(a.placement), Placement::from(b.placement));
-        tell(Doing { operation: "common volume".to_owned(), step: None, recipe: None });
+        tell(Doing {
+            operation: "common volume".to_owned(),
+            step: None,
+            recipe: None,
+        });
         let common = pair::common(&solid_a.shape, &at_a, &solid_b.shape, &at_b)?;
-        tell(Doing { operation: "sampling of the common volume".to_owned(), step: None, recipe: None });
+        tell(Doing {
+            operation: "sampling of the common volume".to_owned(),
+            step: None,
+            recipe: None,
+        });
         let sampled = pair::sampled_common(&solid_a.shape, &at_a, &solid_b.shape, &at_b, samples)?;
-        let place = common.place.map(|(bounds, centre)| (bounds.min, bounds.max, centre));
+        let place = common
+            .place
+            .map(|(bounds, centre)| (bounds.min, bounds.max, centre));
         Ok(CommonVolume {
             volume: common.volume,
             place,
@@ -110,7 +137,11 @@ impl Bench {
         for product in products {
             solids.push(self.solid(&product.recipe, tell)?.1);
         }
-        tell(Doing { operation: "STEP export".to_owned(), step: None, recipe: None });
+        tell(Doing {
+            operation: "STEP export".to_owned(),
+            step: None,
+            recipe: None,
+        });
         let parts = products
             .iter()
             .zip(&solids)
@@ -128,19 +159,26 @@ impl Bench {
                 placement: i.placement.into(),
             })
             .collect();
-        let tree = step::Tree { parts, assemblies: vec![step::Assembly { name, instances }] };
+        let tree = step::Tree {
+            parts,
+            assemblies: vec![step::Assembly { name, instances }],
+        };
         let program = format!("assemcad {}", env!("CARGO_PKG_VERSION"));
         let header = step::Header {
             file_name: format!("{name}.step"),
             description: description.to_vec(),
-            author: vec![String::new()],
-            organization: vec![String::new()],
+            author: vec![UNSTATED.to_owned()],
+            organization: vec![UNSTATED.to_owned()],
             preprocessor: program.clone(),
             originating_system: program,
-            authorisation: String::new(),
+            authorisation: UNSTATED.to_owned(),
         };
         let bytes = step::write(&tree, &header)?;
-        tell(Doing { operation: "reading the STEP file back".to_owned(), step: None, recipe: None });
+        tell(Doing {
+            operation: "reading the STEP file back".to_owned(),
+            step: None,
+            recipe: None,
+        });
         let leaf = |leaf: step::Leaf| StepLeaf {
             name: leaf.path.last().cloned().unwrap_or_default(),
             product: leaf.product,
@@ -161,9 +199,10 @@ impl Bench {
         }
         let entry = self.disk.as_ref().map_or(Entry::Missing, |d| d.read(&hash));
         let on_disk = match &entry {
-            Entry::Sound(bytes) => Shape::from_bytes(bytes)
-                .ok()
-                .map(|shape| Solid { shape, brep: sha256(bytes) }),
+            Entry::Sound(bytes) => Shape::from_bytes(bytes).ok().map(|shape| Solid {
+                shape,
+                brep: sha256(bytes),
+            }),
             Entry::Missing | Entry::Damaged => None,
         };
         let (solid, source) = match (on_disk, entry) {
@@ -192,6 +231,9 @@ impl Bench {
             // The cache is a convenience: without it the solid is made again next time.
             tracing::warn!("a solid could not be kept on disk: {e}");
         }
-        Ok(Solid { shape, brep: sha256(&bytes) })
+        Ok(Solid {
+            shape,
+            brep: sha256(&bytes),
+        })
     }
 }

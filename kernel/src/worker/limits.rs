@@ -11,8 +11,20 @@ use rustix::time::{ClockId, clock_gettime};
 /// When the system refuses.
 pub(super) fn set_memory_mb(memory_mb: u64) -> io::Result<()> {
     let bytes = memory_mb.saturating_mul(1 << 20);
-    setrlimit(Resource::As, Rlimit { current: Some(bytes), maximum: Some(bytes) })?;
-    setrlimit(Resource::Core, Rlimit { current: Some(0), maximum: Some(0) })?;
+    setrlimit(
+        Resource::As,
+        Rlimit {
+            current: Some(bytes),
+            maximum: Some(bytes),
+        },
+    )?;
+    setrlimit(
+        Resource::Core,
+        Rlimit {
+            current: Some(0),
+            maximum: Some(0),
+        },
+    )?;
     Ok(())
 }
 
@@ -26,6 +38,12 @@ pub(super) fn allow_cpu_s(cpu_s: u64) -> io::Result<()> {
     let until = u64::try_from(used).unwrap_or_default() + cpu_s + 1;
     // Only the soft limit moves: the hard limit may not be raised again.
     let maximum = getrlimit(Resource::Cpu).maximum;
-    setrlimit(Resource::Cpu, Rlimit { current: Some(until), maximum })?;
+    setrlimit(
+        Resource::Cpu,
+        Rlimit {
+            current: Some(until),
+            maximum,
+        },
+    )?;
     Ok(())
 }

@@ -50,14 +50,24 @@ pub fn run(settings: Settings) -> io::Result<()> {
             Ok((reply, block)) => protocol::write(&mut socket, &Message::Done(reply), &block)?,
             Err(error) => {
                 let out_of_memory = error.kind == crate::Kind::OutOfMemory;
-                let kind =
-                    if out_of_memory { FailureKind::Memory } else { FailureKind::Kernel };
+                let kind = if out_of_memory {
+                    FailureKind::Memory
+                } else {
+                    FailureKind::Kernel
+                };
                 let message = if out_of_memory {
-                    format!("it needed more memory than the limit of {} MiB", settings.memory_mb)
+                    format!(
+                        "it needed more memory than the limit of {} MiB",
+                        settings.memory_mb
+                    )
                 } else {
                     error.message
                 };
-                let failure = Failure { kind, doing: last, message };
+                let failure = Failure {
+                    kind,
+                    doing: last,
+                    message,
+                };
                 protocol::write(&mut socket, &Message::Failed(failure), &[])?;
                 if out_of_memory {
                     // What is left of the address space is in pieces: the next job gets a new process.

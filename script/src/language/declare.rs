@@ -25,7 +25,10 @@ const MOST_PARAMS: usize = 100;
 fn integer(value: Value<'_>, what: &str) -> Result<i64, Fault> {
     match i64::unpack_value(value) {
         Ok(Some(n)) => Ok(n),
-        _ => Err(Fault::new(format!("{what} is a whole number, not a {}", value.get_type()))),
+        _ => Err(Fault::new(format!(
+            "{what} is a whole number, not a {}",
+            value.get_type()
+        ))),
     }
 }
 
@@ -41,15 +44,20 @@ fn specs(dict: Value<'_>, what: &str) -> Result<Vec<ParamSpec>, Fault> {
     };
     let dict = DictRef::from_value(dict).ok_or_else(wrong)?;
     if dict.len() > MOST_PARAMS {
-        return Err(Fault::new(format!("{what} has more than {MOST_PARAMS} entries")));
+        return Err(Fault::new(format!(
+            "{what} has more than {MOST_PARAMS} entries"
+        )));
     }
     let mut specs = Vec::new();
     for (name, param) in dict.iter() {
         let name = name.unpack_str().ok_or_else(wrong)?;
         check_name(name)?;
         let param = Param::from_value(param).ok_or_else(wrong)?;
-        let mut spec =
-            ParamSpec { name: name.to_owned(), doc: param.doc.clone(), kind: param.kind.clone() };
+        let mut spec = ParamSpec {
+            name: name.to_owned(),
+            doc: param.doc.clone(),
+            kind: param.kind.clone(),
+        };
         let default = Map::from_iter([(name.to_owned(), spec.default_value())]);
         let checked = check_all(std::slice::from_ref(&spec), &default, "default").map_err(|d| {
             let first = d.first().map(ToString::to_string).unwrap_or_default();
@@ -68,14 +76,21 @@ fn specs(dict: Value<'_>, what: &str) -> Result<Vec<ParamSpec>, Fault> {
 /// Parameters are read as `p.name`, so a name is one that can stand there.
 fn check_name(name: &str) -> Result<(), Fault> {
     let plain = name.starts_with(|c: char| c.is_ascii_lowercase())
-        && name.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
+        && name
+            .chars()
+            .all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')
         && name.len() <= assemcad_model::name::MAX_LENGTH;
-    let taken = crate::scan::UNGUARDED_METHODS.iter().any(|(method, _)| *method == name);
+    let taken = crate::scan::UNGUARDED_METHODS
+        .iter()
+        .any(|(method, _)| *method == name);
     if plain && !taken {
         return Ok(());
     }
-    Err(Fault::new(format!("'{}' cannot name a parameter", assemcad_model::param::clip(name)))
-        .hint("names are a-z, 0-9 and '_', the first a letter, and not a method of texts"))
+    Err(Fault::new(format!(
+        "'{}' cannot name a parameter",
+        assemcad_model::param::clip(name)
+    ))
+    .hint("names are a-z, 0-9 and '_', the first a letter, and not a method of texts"))
 }
 
 #[starlark_module]
@@ -116,8 +131,16 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
         if min > max {
             return Fault::new(format!("min {min} is over max {max}")).raise();
         }
-        let kind = ParamKind::Number { unit: unit.to_owned(), min, max, default };
-        Ok(Param { doc: doc.to_owned(), kind })
+        let kind = ParamKind::Number {
+            unit: unit.to_owned(),
+            min,
+            max,
+            default,
+        };
+        Ok(Param {
+            doc: doc.to_owned(),
+            kind,
+        })
     }
 
     /// `integer(default, min, max, doc = "...")`: a whole number.
@@ -132,7 +155,10 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
         if min > max {
             return Fault::new(format!("min {min} is over max {max}")).raise();
         }
-        Ok(Param { doc: doc.to_owned(), kind: ParamKind::Integer { min, max, default } })
+        Ok(Param {
+            doc: doc.to_owned(),
+            kind: ParamKind::Integer { min, max, default },
+        })
     }
 
     /// `choice(default, choices, doc = "...")`: one of a list of words.
@@ -142,13 +168,21 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
         #[starlark(require = named, default = "")] doc: &str,
     ) -> anyhow::Result<Param> {
         let words = items(choices).and_then(|list| {
-            list.into_iter().map(|v| v.unpack_str().map(str::to_owned)).collect::<Option<Vec<_>>>()
+            list.into_iter()
+                .map(|v| v.unpack_str().map(str::to_owned))
+                .collect::<Option<Vec<_>>>()
         });
         let Some(choices) = words.filter(|w| !w.is_empty()) else {
             return Fault::new("choices is a list of texts").raise();
         };
-        let kind = ParamKind::Choice { choices, default: default.to_owned() };
-        Ok(Param { doc: doc.to_owned(), kind })
+        let kind = ParamKind::Choice {
+            choices,
+            default: default.to_owned(),
+        };
+        Ok(Param {
+            doc: doc.to_owned(),
+            kind,
+        })
     }
 
     /// `flag(default, doc = "...")`: True or False.
@@ -156,7 +190,10 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
         default: bool,
         #[starlark(require = named, default = "")] doc: &str,
     ) -> anyhow::Result<Param> {
-        Ok(Param { doc: doc.to_owned(), kind: ParamKind::Flag { default } })
+        Ok(Param {
+            doc: doc.to_owned(),
+            kind: ParamKind::Flag { default },
+        })
     }
 
     /// `records(fields = {...}, default = [...], min_items = 1, max_items = 20, doc = "...")`: a list
@@ -179,6 +216,9 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
             max_items: count(max_items, "max_items")?,
             default: default.into_iter().map(|v| json!(v)).collect(),
         };
-        Ok(Param { doc: doc.to_owned(), kind })
+        Ok(Param {
+            doc: doc.to_owned(),
+            kind,
+        })
     }
 }

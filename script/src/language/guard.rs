@@ -21,9 +21,14 @@ use crate::limits::Limits;
 
 /// Operators and the functions that take their places; the names are out of a script's reach.
 pub(crate) fn operators() -> HashMap<String, String> {
-    [("+", "__add"), ("*", "__mul"), ("%", "__percent"), ("<<", "__shift_left")]
-        .map(|(operator, function)| (operator.to_owned(), function.to_owned()))
-        .into()
+    [
+        ("+", "__add"),
+        ("*", "__mul"),
+        ("%", "__percent"),
+        ("<<", "__shift_left"),
+    ]
+    .map(|(operator, function)| (operator.to_owned(), function.to_owned()))
+    .into()
 }
 
 /// How long a list, tuple or text is.
@@ -75,7 +80,11 @@ fn check_heap(eval: &Evaluator<'_, '_, '_>, limits: &Limits) -> Result<(), Fault
 
 fn check_int(value: Value<'_>) -> Result<(), Fault> {
     let small = value.get_type() != "int" || matches!(i64::unpack_value(value), Ok(Some(_)));
-    if small { Ok(()) } else { Err(Fault::new("a whole number is outside of 64 bits")) }
+    if small {
+        Ok(())
+    } else {
+        Err(Fault::new("a whole number is outside of 64 bits"))
+    }
 }
 
 /// An upper bound of the length of the text that a value is written as.
@@ -130,7 +139,10 @@ pub(crate) fn functions(builder: &mut GlobalsBuilder) {
         eval: &mut Evaluator<'v, '_, '_>,
     ) -> starlark::Result<Value<'v>> {
         let limits = &Session::of(eval).map_err(anyhow::Error::new)?.limits;
-        let times = |n: Value<'v>| n.unpack_i32().map_or(0, |n| usize::try_from(n).unwrap_or(0));
+        let times = |n: Value<'v>| {
+            n.unpack_i32()
+                .map_or(0, |n| usize::try_from(n).unwrap_or(0))
+        };
         match (size(a), size(b)) {
             (Size::Text(n), _) => check_text(n.saturating_mul(times(b)), limits),
             (_, Size::Text(n)) => check_text(n.saturating_mul(times(a)), limits),
@@ -152,9 +164,12 @@ pub(crate) fn functions(builder: &mut GlobalsBuilder) {
         if let Some(text) = a.unpack_str() {
             let places = text.matches('%').count();
             let length = written_length(b, limits).map_err(native)?;
-            check_text(text.len().saturating_add(places.saturating_mul(length)), limits)
-                .and_then(|()| check_heap(eval, limits))
-                .map_err(native)?;
+            check_text(
+                text.len().saturating_add(places.saturating_mul(length)),
+                limits,
+            )
+            .and_then(|()| check_heap(eval, limits))
+            .map_err(native)?;
         }
         a.percent(b, eval.heap())
     }
@@ -166,7 +181,9 @@ pub(crate) fn functions(builder: &mut GlobalsBuilder) {
     ) -> starlark::Result<Value<'v>> {
         check_int(a).map_err(native)?;
         if b.unpack_i32().is_none_or(|n| n > 62) {
-            return Err(native(Fault::new("a whole number is shifted by 0 to 62 places")));
+            return Err(native(Fault::new(
+                "a whole number is shifted by 0 to 62 places",
+            )));
         }
         a.left_shift(b, eval.heap())
     }
@@ -196,7 +213,10 @@ pub(crate) fn functions(builder: &mut GlobalsBuilder) {
         #[starlark(require = pos)] default: Option<Value<'v>>,
         eval: &mut Evaluator<'v, '_, '_>,
     ) -> starlark::Result<Value<'v>> {
-        if crate::scan::UNGUARDED_METHODS.iter().any(|(method, _)| *method == name) {
+        if crate::scan::UNGUARDED_METHODS
+            .iter()
+            .any(|(method, _)| *method == name)
+        {
             return Err(native(Fault::new(format!("there is no method '{name}'"))));
         }
         match (x.get_attr(name, eval.heap())?, default) {

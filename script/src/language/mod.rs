@@ -25,7 +25,6 @@ static GLOBALS: LazyLock<Globals> = LazyLock::new(|| {
         .with(shapes::functions)
         .with(math::functions)
         .with(|builder| builder.namespace("math", math::namespace))
-        .with(|builder| starlark::environment::LibraryExtension::Print.add(builder))
         .build()
 });
 

@@ -31,14 +31,20 @@ fn make_frame(origin: [f64; 3], z: [f64; 3], x: [f64; 3]) -> anyhow::Result<Fram
     match ModelFrame::new(origin, z, x) {
         Ok(frame) => Ok(Frame { frame }),
         Err(e) => Fault::new(e.to_string())
-            .hint("state z and an x at a right angle to it, for example z = (0, 1, 0), x = (1, 0, 0)")
+            .hint(
+                "state z and an x at a right angle to it, for example z = (0, 1, 0), x = (1, 0, 0)",
+            )
             .raise(),
     }
 }
 
 fn direction(value: Value<'_>, what: &str) -> Result<[f64; 3], Fault> {
     let v = vector(value, what)?;
-    if v == [0.0; 3] { Err(Fault::new(format!("{what} has no length"))) } else { Ok(v) }
+    if v == [0.0; 3] {
+        Err(Fault::new(format!("{what} has no length")))
+    } else {
+        Ok(v)
+    }
 }
 
 #[starlark_module]
@@ -69,7 +75,9 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
     fn circle<'v>(radius: Value<'v>, center: Option<Value<'v>>) -> anyhow::Result<Outline> {
         let center = center.map_or(Ok([0.0; 2]), |v| vector(v, "center"))?;
         let radius = positive(radius, "radius")?;
-        Ok(Outline { outline: ModelOutline::Circle { center, radius } })
+        Ok(Outline {
+            outline: ModelOutline::Circle { center, radius },
+        })
     }
 
     /// `rectangle(width, height, center = (0, 0))`: a closed outline about its centre.
@@ -79,38 +87,55 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
         center: Option<Value<'v>>,
     ) -> anyhow::Result<Outline> {
         let [cx, cy] = center.map_or(Ok([0.0; 2]), |v| vector(v, "center"))?;
-        let (w, h) = (positive(width, "width")? / 2.0, positive(height, "height")? / 2.0);
-        let corner = |x: f64, y: f64| ModelSegment::Line { to: [cx + x, cy + y] };
+        let (w, h) = (
+            positive(width, "width")? / 2.0,
+            positive(height, "height")? / 2.0,
+        );
+        let corner = |x: f64, y: f64| ModelSegment::Line {
+            to: [cx + x, cy + y],
+        };
         let segments = vec![corner(w, -h), corner(w, h), corner(-w, h)];
-        Ok(Outline { outline: ModelOutline::Path { start: [cx - w, cy - h], segments } })
+        Ok(Outline {
+            outline: ModelOutline::Path {
+                start: [cx - w, cy - h],
+                segments,
+            },
+        })
     }
 
     /// `polygon([(0, 0), (10, 0), (0, 5)])`: a closed outline of straight lines.
-    fn polygon<'v>(
-        points: Value<'v>,
-        eval: &mut Evaluator<'v, '_, '_>,
-    ) -> anyhow::Result<Outline> {
+    fn polygon<'v>(points: Value<'v>, eval: &mut Evaluator<'v, '_, '_>) -> anyhow::Result<Outline> {
         let Some(points) = items(points).filter(|p| p.len() >= 3) else {
             return Fault::new("a polygon takes a list of three points or more").raise();
         };
         Session::of(eval)?.charge(points.len())?;
-        let mut points = points.into_iter().map(|p| vector(p, "a point of the polygon"));
+        let mut points = points
+            .into_iter()
+            .map(|p| vector(p, "a point of the polygon"));
         let start = points.next().unwrap_or(Ok([0.0; 2]))?;
         let segments = points
             .map(|to| to.map(|to| ModelSegment::Line { to }))
             .collect::<Result<_, _>>()?;
-        Ok(Outline { outline: ModelOutline::Path { start, segments } })
+        Ok(Outline {
+            outline: ModelOutline::Path { start, segments },
+        })
     }
 
     /// `line(to)`: a piece of a path.
     fn line<'v>(to: Value<'v>) -> anyhow::Result<Segment> {
-        Ok(Segment { segment: ModelSegment::Line { to: vector(to, "to")? } })
+        Ok(Segment {
+            segment: ModelSegment::Line {
+                to: vector(to, "to")?,
+            },
+        })
     }
 
     /// `arc(via, to)`: a piece of a path, circular, through `via`.
     fn arc<'v>(via: Value<'v>, to: Value<'v>) -> anyhow::Result<Segment> {
         let (via, to) = (vector(via, "via")?, vector(to, "to")?);
-        Ok(Segment { segment: ModelSegment::Arc { via, to } })
+        Ok(Segment {
+            segment: ModelSegment::Arc { via, to },
+        })
     }
 
     /// `path(start, [line(to), arc(via, to), ...])`: a closed outline; a line joins its end to its
@@ -126,10 +151,16 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
                 .collect::<Option<Vec<_>>>()
         });
         let Some(segments) = segments.filter(|s| !s.is_empty()) else {
-            return Fault::new("a path takes its start and a list of line(...) and arc(...)").raise();
+            return Fault::new("a path takes its start and a list of line(...) and arc(...)")
+                .raise();
         };
         Session::of(eval)?.charge(segments.len())?;
-        Ok(Outline { outline: ModelOutline::Path { start: vector(start, "start")?, segments } })
+        Ok(Outline {
+            outline: ModelOutline::Path {
+                start: vector(start, "start")?,
+                segments,
+            },
+        })
     }
 
     /// `profile(outer, holes = [], at = frame())`: a plane region in the x-y plane of `at`.
@@ -142,7 +173,9 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
         let holes = match holes {
             None => Some(Vec::new()),
             Some(holes) => items(holes).and_then(|list| {
-                list.into_iter().map(|v| Outline::from_value(v).map(|o| o.outline.clone())).collect()
+                list.into_iter()
+                    .map(|v| Outline::from_value(v).map(|o| o.outline.clone()))
+                    .collect()
             }),
         };
         let Some(holes) = holes else {
@@ -159,17 +192,25 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
 
     /// `all_edges()`: every edge of a solid.
     fn all_edges() -> anyhow::Result<Edges> {
-        Ok(Edges { edges: EdgeSelector::All })
+        Ok(Edges {
+            edges: EdgeSelector::All,
+        })
     }
 
     /// `edges_parallel(direction)`: the straight edges along a direction, either way.
     fn edges_parallel<'v>(along: Value<'v>) -> anyhow::Result<Edges> {
-        Ok(Edges { edges: EdgeSelector::Parallel { direction: direction(along, "direction")? } })
+        Ok(Edges {
+            edges: EdgeSelector::Parallel {
+                direction: direction(along, "direction")?,
+            },
+        })
     }
 
     /// `edges_in_plane(point, normal)`: the edges that lie wholly in a plane.
     fn edges_in_plane<'v>(point: Value<'v>, normal: Value<'v>) -> anyhow::Result<Edges> {
         let (point, normal) = (vector(point, "point")?, direction(normal, "normal")?);
-        Ok(Edges { edges: EdgeSelector::InPlane { point, normal } })
+        Ok(Edges {
+            edges: EdgeSelector::InPlane { point, normal },
+        })
     }
 }

@@ -1,5 +1,8 @@
 //! What the functions of the language share during one evaluation.
-#![allow(unsafe_code, reason = "derive(ProvidesStaticType) implements an unsafe trait; none of ours")]
+#![allow(
+    unsafe_code,
+    reason = "derive(ProvidesStaticType) implements an unsafe trait; none of ours"
+)]
 
 use std::cell::{Cell, RefCell};
 
@@ -56,5 +59,8 @@ impl Session {
 
 /// The 1-based line of the call that runs; 0 where the interpreter does not say.
 pub(crate) fn line(eval: &Evaluator<'_, '_, '_>) -> u32 {
-    eval.call_stack_top_location().as_ref().and_then(line_at).unwrap_or(0)
+    eval.call_stack_top_location()
+        .as_ref()
+        .and_then(line_at)
+        .unwrap_or(0)
 }

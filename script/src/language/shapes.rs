@@ -18,14 +18,21 @@ fn world(at: Option<&Frame>) -> ModelFrame {
 }
 
 fn record(op: Op, eval: &Evaluator<'_, '_, '_>) -> anyhow::Result<Solid> {
-    let node = Session::of(eval)?.recorder.borrow_mut().record(op, line(eval))?;
+    let node = Session::of(eval)?
+        .recorder
+        .borrow_mut()
+        .record(op, line(eval))?;
     Ok(Solid::new(node))
 }
 
 /// A radius that may be 0 (the tip of a cone).
 fn radius(value: Value<'_>, what: &str) -> Result<f64, Fault> {
     let n = number(value, what)?;
-    if n >= 0.0 { Ok(n) } else { Err(Fault::new(format!("{what} is 0 or more, not {n}"))) }
+    if n >= 0.0 {
+        Ok(n)
+    } else {
+        Err(Fault::new(format!("{what} is 0 or more, not {n}")))
+    }
 }
 
 #[starlark_module]
@@ -39,7 +46,13 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
         eval: &mut Evaluator<'v, '_, '_>,
     ) -> anyhow::Result<Solid> {
         let size = [positive(x, "x")?, positive(y, "y")?, positive(z, "z")?];
-        record(Op::Box { at: world(at), size }, eval)
+        record(
+            Op::Box {
+                at: world(at),
+                size,
+            },
+            eval,
+        )
     }
 
     /// `cylinder(diameter, height, at = frame())`: along z of `at`, its base centred on the origin.
@@ -51,7 +64,14 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
     ) -> anyhow::Result<Solid> {
         let radius = positive(diameter, "diameter")? / 2.0;
         let height = positive(height, "height")?;
-        record(Op::Cylinder { at: world(at), radius, height }, eval)
+        record(
+            Op::Cylinder {
+                at: world(at),
+                radius,
+                height,
+            },
+            eval,
+        )
     }
 
     /// `cone(diameter_base, diameter_top, height, at = frame())`: along z of `at`; one diameter may
@@ -71,7 +91,15 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
                 .raise();
         }
         let height = positive(height, "height")?;
-        record(Op::Cone { at: world(at), radius_base, radius_top, height }, eval)
+        record(
+            Op::Cone {
+                at: world(at),
+                radius_base,
+                radius_top,
+                height,
+            },
+            eval,
+        )
     }
 
     /// `sphere(diameter, at = frame())`: about the origin of `at`.
@@ -81,7 +109,13 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
         eval: &mut Evaluator<'v, '_, '_>,
     ) -> anyhow::Result<Solid> {
         let radius = positive(diameter, "diameter")? / 2.0;
-        record(Op::Sphere { at: world(at), radius }, eval)
+        record(
+            Op::Sphere {
+                at: world(at),
+                radius,
+            },
+            eval,
+        )
     }
 
     /// `prism(profile, length)`: the profile moved along z of its frame; a negative length goes
@@ -96,7 +130,13 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
             return Fault::new("length is not 0").raise();
         }
         Session::of(eval)?.charge(pieces(&profile.profile))?;
-        record(Op::Prism { profile: profile.profile.clone(), length }, eval)
+        record(
+            Op::Prism {
+                profile: profile.profile.clone(),
+                length,
+            },
+            eval,
+        )
     }
 
     /// `revolve(profile, axis_point = (0, 0), axis_direction = (0, 1), angle_deg = 360)`: the profile
@@ -120,6 +160,14 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
         }
         Session::of(eval)?.charge(pieces(&profile.profile))?;
         let profile = profile.profile.clone();
-        record(Op::Revolve { profile, axis_point, axis_direction, angle_deg }, eval)
+        record(
+            Op::Revolve {
+                profile,
+                axis_point,
+                axis_direction,
+                angle_deg,
+            },
+            eval,
+        )
     }
 }

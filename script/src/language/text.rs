@@ -19,7 +19,12 @@ const MOST_BROKEN_RULES: usize = 20;
 fn refuse(message: String, eval: &Evaluator<'_, '_, '_>) -> Fault {
     // At the top level there are no parameters yet that could be at fault.
     let of_params = Session::of(eval).is_ok_and(|s| s.building.get());
-    Fault { message, hint: None, line: Some(line(eval)), of_params }
+    Fault {
+        message,
+        hint: None,
+        line: Some(line(eval)),
+        of_params,
+    }
 }
 
 fn message_of<'v>(parts: &[Value<'v>], eval: &Evaluator<'v, '_, '_>) -> Result<String, Fault> {
@@ -95,6 +100,14 @@ pub(crate) fn functions(builder: &mut GlobalsBuilder) {
         let added = text.matches(old).count().saturating_mul(new.len());
         check_text(text.len().saturating_add(added), &Session::of(eval)?.limits)?;
         Ok(text.replace(old, new))
+    }
+
+    /// `print(x)` goes nowhere, and does not even write x as a text.
+    fn print<'v>(
+        #[starlark(args)] parts: starlark::values::tuple::UnpackTuple<Value<'v>>,
+    ) -> anyhow::Result<NoneType> {
+        let _ = parts;
+        Ok(NoneType)
     }
 
     /// `fail(message)`: the parameters cannot be built; nothing after it is carried out.

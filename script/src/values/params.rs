@@ -1,6 +1,13 @@
 //! Declarations of parameters, and checked parameters as a script sees them.
+#![allow(
+    clippy::panic,
+    reason = "derive(StarlarkPagablePanic); nothing here is ever paged out"
+)]
 #![allow(missing_docs, reason = "the macros make public items of the values")]
-#![allow(unsafe_code, reason = "derive(ProvidesStaticType) implements an unsafe trait; none of ours")]
+#![allow(
+    unsafe_code,
+    reason = "derive(ProvidesStaticType) implements an unsafe trait; none of ours"
+)]
 
 use core::fmt;
 
@@ -58,9 +65,9 @@ fn value_of<'v>(heap: Heap<'v>, kind: &ParamKind, value: &Json) -> Value<'v> {
         (ParamKind::Flag { .. }, Json::Bool(flag)) => Value::new_bool(*flag),
         (ParamKind::Records { fields, .. }, Json::Array(items)) => {
             let empty = Map::new();
-            heap.alloc(AllocList(
-                items.iter().map(|item| record(heap, fields, item.as_object().unwrap_or(&empty))),
-            ))
+            heap.alloc(AllocList(items.iter().map(|item| {
+                record(heap, fields, item.as_object().unwrap_or(&empty))
+            })))
         }
         _ => Value::new_none(),
     }

@@ -1,6 +1,13 @@
 //! Frames, outlines, profiles and choices of edges: what the model knows, as values of the language.
+#![allow(
+    clippy::panic,
+    reason = "derive(StarlarkPagablePanic); nothing here is ever paged out"
+)]
 #![allow(missing_docs, reason = "the macros make public items of the values")]
-#![allow(unsafe_code, reason = "derive(ProvidesStaticType) implements an unsafe trait; none of ours")]
+#![allow(
+    unsafe_code,
+    reason = "derive(ProvidesStaticType) implements an unsafe trait; none of ours"
+)]
 
 use core::fmt;
 
@@ -55,7 +62,9 @@ fn frame_methods(builder: &mut MethodsBuilder) {
         z: Value<'v>,
     ) -> anyhow::Result<Frame> {
         let by = [number(x, "x")?, number(y, "y")?, number(z, "z")?];
-        Ok(Frame { frame: shift(&this.frame, by)? })
+        Ok(Frame {
+            frame: shift(&this.frame, by)?,
+        })
     }
 }
 
@@ -64,8 +73,13 @@ pub(crate) fn shift(
     frame: &assemcad_model::frame::Frame,
     by: [f64; 3],
 ) -> Result<assemcad_model::frame::Frame, crate::fault::Fault> {
-    let placement = frame.placement().map_err(|e| crate::fault::Fault::new(e.to_string()))?;
-    Ok(assemcad_model::frame::Frame { origin: placement.point(by), ..*frame })
+    let placement = frame
+        .placement()
+        .map_err(|e| crate::fault::Fault::new(e.to_string()))?;
+    Ok(assemcad_model::frame::Frame {
+        origin: placement.point(by),
+        ..*frame
+    })
 }
 
 macro_rules! plain {
@@ -108,7 +122,13 @@ impl fmt::Display for Frame {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let show = |[x, y, z]: [f64; 3]| format!("({x}, {y}, {z})");
         let (origin, z, x) = (self.frame.origin, self.frame.z, self.frame.x);
-        write!(f, "frame(origin = {}, z = {}, x = {})", show(origin), show(z), show(x))
+        write!(
+            f,
+            "frame(origin = {}, z = {}, x = {})",
+            show(origin),
+            show(z),
+            show(x)
+        )
     }
 }
 

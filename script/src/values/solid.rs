@@ -1,6 +1,13 @@
 //! `Solid`: a recorded operation and the ports of what it makes.
+#![allow(
+    clippy::panic,
+    reason = "derive(StarlarkPagablePanic); nothing here is ever paged out"
+)]
 #![allow(missing_docs, reason = "the macros make public items of the values")]
-#![allow(unsafe_code, reason = "derive(ProvidesStaticType) implements an unsafe trait; none of ours")]
+#![allow(
+    unsafe_code,
+    reason = "derive(ProvidesStaticType) implements an unsafe trait; none of ours"
+)]
 
 use core::fmt;
 use std::collections::BTreeMap;
@@ -51,13 +58,22 @@ impl<'v> StarlarkValue<'v> for Solid {
 
 impl Solid {
     pub(crate) fn new(node: u32) -> Self {
-        Self { node, ports: Arc::new(Vec::new()) }
+        Self {
+            node,
+            ports: Arc::new(Vec::new()),
+        }
     }
 
     /// The solid that an operation on this one makes, with the same ports.
     fn after(&self, op: Op, eval: &Evaluator<'_, '_, '_>) -> Result<Self, Fault> {
-        let node = Session::of(eval)?.recorder.borrow_mut().record(op, line(eval))?;
-        Ok(Self { node, ports: Arc::clone(&self.ports) })
+        let node = Session::of(eval)?
+            .recorder
+            .borrow_mut()
+            .record(op, line(eval))?;
+        Ok(Self {
+            node,
+            ports: Arc::clone(&self.ports),
+        })
     }
 
     /// The solid with one port more.
@@ -73,7 +89,12 @@ impl Solid {
             return Err(Fault::new(format!("'{}' cannot name a port", clip(name)))
                 .hint(format!("names are {}", name::RULE)));
         }
-        let port = Port { name: name.to_owned(), port_type, frame: at.frame, params };
+        let port = Port {
+            name: name.to_owned(),
+            port_type,
+            frame: at.frame,
+            params,
+        };
         let faults = port.faults();
         if !faults.is_empty() {
             return Err(Fault::new(format!("port '{name}': {}", faults.join("; "))));
@@ -87,21 +108,38 @@ impl Solid {
         }
         for port in &more {
             if self.ports.iter().any(|p| p.name == port.name) {
-                return Err(Fault::new(format!("there are two ports of the name '{}'", port.name))
-                    .hint("give each port of a solid a name of its own"));
+                return Err(
+                    Fault::new(format!("there are two ports of the name '{}'", port.name))
+                        .hint("give each port of a solid a name of its own"),
+                );
             }
         }
         Session::of(eval)?.charge(self.ports.len() + more.len())?;
         let ports = self.ports.iter().cloned().chain(more).collect();
-        Ok(Self { node: self.node, ports: Arc::new(ports) })
+        Ok(Self {
+            node: self.node,
+            ports: Arc::new(ports),
+        })
     }
 
     /// The solid and its ports, moved.
     fn placed(&self, by: &Placement, eval: &Evaluator<'_, '_, '_>) -> Result<Self, Fault> {
         Session::of(eval)?.charge(self.ports.len())?;
-        let moved = self.after(Op::Place { of: self.node, placement: (*by).into() }, eval)?;
-        let carry = |p: &Port| Port { frame: by.frame(&p.frame), ..p.clone() };
-        Ok(Self { node: moved.node, ports: Arc::new(self.ports.iter().map(carry).collect()) })
+        let moved = self.after(
+            Op::Place {
+                of: self.node,
+                placement: (*by).into(),
+            },
+            eval,
+        )?;
+        let carry = |p: &Port| Port {
+            frame: by.frame(&p.frame),
+            ..p.clone()
+        };
+        Ok(Self {
+            node: moved.node,
+            ports: Arc::new(self.ports.iter().map(carry).collect()),
+        })
     }
 
     /// A cylinder about z of `at`, from `start` along z.
@@ -113,8 +151,15 @@ impl Solid {
         eval: &Evaluator<'_, '_, '_>,
     ) -> Result<u32, Fault> {
         let at = shift(&at.frame, [0.0, 0.0, start])?;
-        let op = Op::Cylinder { at, radius: diameter / 2.0, height };
-        Session::of(eval)?.recorder.borrow_mut().record(op, line(eval))
+        let op = Op::Cylinder {
+            at,
+            radius: diameter / 2.0,
+            height,
+        };
+        Session::of(eval)?
+            .recorder
+            .borrow_mut()
+            .record(op, line(eval))
     }
 }
 
@@ -124,10 +169,14 @@ fn two(a: (&str, f64), b: (&str, f64)) -> BTreeMap<String, f64> {
 
 fn port_type(word: &str) -> Result<PortType, Fault> {
     let names: Vec<&str> = ports::ALL.iter().map(|k| k.name).collect();
-    ports::ALL.iter().find(|k| k.name == word).map(|k| k.port_type).ok_or_else(|| {
-        Fault::new(format!("there is no port type '{}'", clip(word)))
-            .hint(format!("port types are {}", names.join(", ")))
-    })
+    ports::ALL
+        .iter()
+        .find(|k| k.name == word)
+        .map(|k| k.port_type)
+        .ok_or_else(|| {
+            Fault::new(format!("there is no port type '{}'", clip(word)))
+                .hint(format!("port types are {}", names.join(", ")))
+        })
 }
 
 #[starlark_module]
@@ -144,7 +193,13 @@ fn solid_methods(builder: &mut MethodsBuilder) {
         other: &'v Solid,
         eval: &mut Evaluator<'v, '_, '_>,
     ) -> anyhow::Result<Solid> {
-        let fused = this.after(Op::Fuse { a: this.node, b: other.node }, eval)?;
+        let fused = this.after(
+            Op::Fuse {
+                a: this.node,
+                b: other.node,
+            },
+            eval,
+        )?;
         Ok(fused.with_ports(other.ports.as_ref().clone(), eval)?)
     }
 
@@ -154,7 +209,13 @@ fn solid_methods(builder: &mut MethodsBuilder) {
         tool: &'v Solid,
         eval: &mut Evaluator<'v, '_, '_>,
     ) -> anyhow::Result<Solid> {
-        Ok(this.after(Op::Cut { a: this.node, b: tool.node }, eval)?)
+        Ok(this.after(
+            Op::Cut {
+                a: this.node,
+                b: tool.node,
+            },
+            eval,
+        )?)
     }
 
     /// `common(other)`: what both have in common; keeps the ports of the first.
@@ -163,7 +224,13 @@ fn solid_methods(builder: &mut MethodsBuilder) {
         other: &'v Solid,
         eval: &mut Evaluator<'v, '_, '_>,
     ) -> anyhow::Result<Solid> {
-        Ok(this.after(Op::Common { a: this.node, b: other.node }, eval)?)
+        Ok(this.after(
+            Op::Common {
+                a: this.node,
+                b: other.node,
+            },
+            eval,
+        )?)
     }
 
     /// `fillet(edges, radius)`: rounded edges.
@@ -174,7 +241,14 @@ fn solid_methods(builder: &mut MethodsBuilder) {
         eval: &mut Evaluator<'v, '_, '_>,
     ) -> anyhow::Result<Solid> {
         let radius = positive(radius, "radius")?;
-        Ok(this.after(Op::Fillet { of: this.node, edges: edges.edges.clone(), radius }, eval)?)
+        Ok(this.after(
+            Op::Fillet {
+                of: this.node,
+                edges: edges.edges.clone(),
+                radius,
+            },
+            eval,
+        )?)
     }
 
     /// `chamfer(edges, distance)`: bevelled edges.
@@ -185,7 +259,14 @@ fn solid_methods(builder: &mut MethodsBuilder) {
         eval: &mut Evaluator<'v, '_, '_>,
     ) -> anyhow::Result<Solid> {
         let distance = positive(distance, "distance")?;
-        Ok(this.after(Op::Chamfer { of: this.node, edges: edges.edges.clone(), distance }, eval)?)
+        Ok(this.after(
+            Op::Chamfer {
+                of: this.node,
+                edges: edges.edges.clone(),
+                distance,
+            },
+            eval,
+        )?)
     }
 
     /// `translate(x, y, z)`: moved; the ports move along.
@@ -196,8 +277,7 @@ fn solid_methods(builder: &mut MethodsBuilder) {
         z: Value<'v>,
         eval: &mut Evaluator<'v, '_, '_>,
     ) -> anyhow::Result<Solid> {
-        let by =
-            Placement::translation(number(x, "x")?, number(y, "y")?, number(z, "z")?);
+        let by = Placement::translation(number(x, "x")?, number(y, "y")?, number(z, "z")?);
         Ok(this.placed(&by, eval)?)
     }
 
@@ -238,7 +318,13 @@ fn solid_methods(builder: &mut MethodsBuilder) {
         let (diameter, depth) = (positive(diameter, "diameter")?, positive(depth, "depth")?);
         let tool = Solid::tool(at, -depth, diameter, depth, eval)?;
         let params = two(("diameter", diameter), ("depth", depth));
-        let cut = this.after(Op::Cut { a: this.node, b: tool }, eval)?;
+        let cut = this.after(
+            Op::Cut {
+                a: this.node,
+                b: tool,
+            },
+            eval,
+        )?;
         Ok(cut.with_port(name, PortType::Bore, at, params, eval)?)
     }
 
@@ -255,7 +341,13 @@ fn solid_methods(builder: &mut MethodsBuilder) {
         let (diameter, length) = (positive(diameter, "diameter")?, positive(length, "length")?);
         let tool = Solid::tool(at, -length / 2.0, diameter, length, eval)?;
         let params = two(("diameter", diameter), ("length", length));
-        let fused = this.after(Op::Fuse { a: this.node, b: tool }, eval)?;
+        let fused = this.after(
+            Op::Fuse {
+                a: this.node,
+                b: tool,
+            },
+            eval,
+        )?;
         Ok(fused.with_port(name, PortType::Shaft, at, params, eval)?)
     }
 
