@@ -186,8 +186,13 @@ impl Store {
             let here = if folder.as_os_str().is_empty() {
                 self.root.try_clone()?
             } else {
-                self.root.create_dir_all(folder)?;
-                self.root.open_dir(folder)?
+                match self.root.open_dir(folder) {
+                    Err(e) if e.kind() == io::ErrorKind::NotFound => {
+                        self.root.create_dir_all(folder)?;
+                        self.root.open_dir(folder)?
+                    }
+                    other => other?,
+                }
             };
             let part = format!(".{name}.{}", std::process::id());
             let written = (|| {

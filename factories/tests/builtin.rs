@@ -299,7 +299,7 @@ fn equal_neighbours_make_one_cylinder_and_near_ones_are_refused() {
         let (ops, ports) =
             build("base_frame.stepped_shaft", json!({"segments": segments})).unwrap();
         (
-            serde_json::to_value(&ops).unwrap()[0]["profile"]["outer"].clone(),
+            serde_json::to_value(&ops).unwrap()[0]["revolve"]["profile"]["outer"]["path"].clone(),
             ports.len(),
         )
     };

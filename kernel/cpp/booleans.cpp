@@ -8,8 +8,8 @@
 namespace assemcad {
 
 // Kinds: 0 fuse, 1 cut, 2 common. What comes back is the builder's compound, unjudged but for its
-// own errors and warnings: whoever asks counts the solids and compares the volumes.
-SolidPtr boolean(const Solid& a, const Solid& b, std::uint8_t kind) {
+// own errors: whoever asks counts the solids, compares the volumes and weighs the warnings.
+BooleanRaw boolean(const Solid& a, const Solid& b, std::uint8_t kind) {
   BRepAlgoAPI_BooleanOperation op;
   TopTools_ListOfShape arguments;
   TopTools_ListOfShape tools;
@@ -27,10 +27,10 @@ SolidPtr boolean(const Solid& a, const Solid& b, std::uint8_t kind) {
   if (!op.IsDone()) {
     throw Invalid("the operation did not end");
   }
-  if (op.HasWarnings()) {
-    throw Invalid(joined(alerts(op.GetReport(), Message_Warning)));
-  }
-  return wrap(op.Shape());
+  BooleanRaw out;
+  out.solid = wrap(op.Shape());
+  out.warnings = alerts(op.GetReport(), Message_Warning);
+  return out;
 }
 
 PartsRaw parts(const Solid& solid) {

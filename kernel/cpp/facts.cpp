@@ -1,11 +1,9 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepGProp.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <ElCLib.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
-#include <GProp_GProps.hxx>
 #include <Geom2d_Curve.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
@@ -62,8 +60,7 @@ void axial(FaceRaw& out, const gp_Ax3& position, const gp_Pnt& centroid) {
 
 FaceRaw facts(const TopoDS_Face& face) {
   FaceRaw out{};
-  GProp_GProps props;
-  BRepGProp::SurfaceProperties(face, props);
+  const GProp_GProps props = surface_props(face);
   const gp_Pnt centroid = props.CentreOfMass();
   const BRepAdaptor_Surface surface(face);
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;

@@ -1,8 +1,6 @@
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
-#include <BRepGProp.hxx>
-#include <GProp_GProps.hxx>
 #include <TopTools_ListOfShape.hxx>
 
 #include "common.h"
@@ -55,8 +53,7 @@ CommonRaw common_part(const Solid& a, const Pose& at_a, const Solid& b, const Po
   if (out.solids == 0) {
     return out;
   }
-  GProp_GProps props;
-  BRepGProp::VolumeProperties(op.Shape(), props);
+  const GProp_GProps props = volume_props(op.Shape());
   out.volume = props.Mass();
   if (!(out.volume >= 0.0)) {
     throw Invalid("the common part came out inside-out");

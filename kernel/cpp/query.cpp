@@ -1,7 +1,5 @@
 #include <BRepClass3d_SolidClassifier.hxx>
-#include <BRepGProp.hxx>
 #include <BRep_Tool.hxx>
-#include <GProp_GProps.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <gp_Mat.hxx>
@@ -16,10 +14,8 @@ BoundsRaw bounds(const Solid& solid, const Pose& pose) {
 
 MassRaw mass(const Solid& solid) {
   const TopoDS_Shape& shape = shape_of(solid);
-  GProp_GProps volume;
-  BRepGProp::VolumeProperties(shape, volume);
-  GProp_GProps surface;
-  BRepGProp::SurfaceProperties(shape, surface);
+  const GProp_GProps volume = volume_props(shape);
+  const GProp_GProps surface = surface_props(shape);
   MassRaw out;
   out.volume = volume.Mass();
   out.area = surface.Mass();

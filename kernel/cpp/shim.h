@@ -79,6 +79,7 @@ struct BoundsRaw;
 struct MassRaw;
 struct CheckRaw;
 struct PartsRaw;
+struct BooleanRaw;
 struct FaceRaw;
 struct EdgeRaw;
 struct DistanceRaw;
@@ -104,7 +105,7 @@ SolidPtr make_prism(const At& at, Pieces pieces, double length);
 SolidPtr make_revolution(const At& at, Pieces pieces, const At& axis, double radians);
 
 // booleans.cpp
-SolidPtr boolean(const Solid& a, const Solid& b, std::uint8_t kind);
+BooleanRaw boolean(const Solid& a, const Solid& b, std::uint8_t kind);
 PartsRaw parts(const Solid& solid);
 SolidPtr only_solid(const Solid& solid);
 SolidPtr unify(const Solid& solid);

@@ -1,5 +1,3 @@
-#include <BRepGProp.hxx>
-#include <GProp_GProps.hxx>
 #include <STEPCAFControl_Reader.hxx>
 #include <TCollection_AsciiString.hxx>
 #include <TDF_Label.hxx>
@@ -41,8 +39,7 @@ struct Walk {
       throw Refused("a product of the file has no shape");
     }
     const TopoDS_Shape placed = shape.Moved(location);
-    GProp_GProps props;
-    BRepGProp::VolumeProperties(placed, props);
+    const GProp_GProps props = volume_props(placed);
     LeafRaw out;
     for (const std::string& step : path) {
       out.path.push_back(step);

@@ -1,11 +1,18 @@
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <Interface_HArray1OfHAsciiString.hxx>
 #include <Interface_Static.hxx>
-#include <Quantity_Color.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Writer.hxx>
+#include <STEPConstruct.hxx>
+#include <STEPConstruct_Styles.hxx>
 #include <StepData_ConfParameters.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepRepr_RepresentationContext.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <StepVisual_ColourRgb.hxx>
+#include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
+#include <StepVisual_PresentationStyleAssignment.hxx>
+#include <StepVisual_StyledItem.hxx>
 #include <TCollection_ExtendedString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TDF_Label.hxx>
@@ -13,9 +20,9 @@
 #include <TDocStd_Document.hxx>
 #include <TopLoc_Location.hxx>
 #include <XCAFApp_Application.hxx>
-#include <XCAFDoc_ColorTool.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <XSControl_WorkSession.hxx>
 
 #include <sstream>
 #include <vector>
@@ -43,13 +50,42 @@ Handle(Interface_HArray1OfHAsciiString) texts(const rust::Vec<rust::String>& val
   return out;
 }
 
+struct Painted {
+  TopoDS_Shape shape;
+  double red, green, blue;
+};
+
+// Styles the solids in the order of the parts. OCCT's own writer of colours goes through a map keyed
+// by addresses, so that its order differs from process to process; and it takes colours through
+// single precision and powers, so that 0.8 comes out as 0.800000010877.
+void paint(const Handle(XSControl_WorkSession)& session, Handle(StepData_StepModel) model,
+           const std::vector<Painted>& painted) {
+  for (const Painted& part : painted) {
+    STEPConstruct_Styles styles(session);
+    const Handle(StepRepr_RepresentationItem) item = Handle(StepRepr_RepresentationItem)::DownCast(
+        STEPConstruct::FindEntity(styles.FinderProcess(), part.shape));
+    const Handle(StepRepr_RepresentationContext) context = styles.FindContext(part.shape);
+    if (item.IsNull() || context.IsNull()) {
+      throw Invalid("a solid could not be coloured");
+    }
+    Handle(StepVisual_ColourRgb) colour = new StepVisual_ColourRgb;
+    colour->Init(new TCollection_HAsciiString(""), part.red, part.green, part.blue);
+    styles.AddStyle(item, styles.MakeColorPSA(item, colour, colour, nullptr, 0.0), nullptr);
+    Handle(StepVisual_MechanicalDesignGeometricPresentationRepresentation) presentation;
+    if (!styles.CreateMDGPR(context, presentation, model)) {
+      throw Invalid("a colour could not be written");
+    }
+    model->AddWithRefs(presentation);
+  }
+}
+
 }  // namespace
 
 struct StepDoc::Inner {
   Handle(TDocStd_Document) document;
   Handle(XCAFDoc_ShapeTool) shapes;
-  Handle(XCAFDoc_ColorTool) colors;
   std::vector<TDF_Label> labels;
+  std::vector<Painted> painted;
 
   const TDF_Label& label(std::uint32_t index) const {
     if (index >= labels.size()) {
@@ -66,7 +102,6 @@ StepDoc::StepDoc() : inner(std::make_unique<Inner>()) {
   }
   XCAFDoc_DocumentTool::SetLengthUnit(inner->document, 1.0, UnitsMethods_LengthUnit_Millimeter);
   inner->shapes = XCAFDoc_DocumentTool::ShapeTool(inner->document->Main());
-  inner->colors = XCAFDoc_DocumentTool::ColorTool(inner->document->Main());
 }
 
 StepDoc::~StepDoc() {
@@ -84,9 +119,7 @@ std::uint32_t StepDoc::add_part(rust::Str part_name, const Solid& solid, Reals c
   inner->shapes->SetShape(label, shape_of(solid));
   name(label, part_name);
   if (color.size() == 3) {
-    inner->colors->SetColor(label,
-                            Quantity_Color(color[0], color[1], color[2], Quantity_TOC_sRGB),
-                            XCAFDoc_ColorGen);
+    inner->painted.push_back({shape_of(solid), color[0], color[1], color[2]});
   }
   inner->labels.push_back(label);
   return static_cast<std::uint32_t>(inner->labels.size() - 1);
@@ -119,7 +152,7 @@ rust::Vec<std::uint8_t> StepDoc::write(const HeaderRaw& header) {
   Interface_Static::SetCVal("write.step.product.name", std::string(header.name).c_str());
 
   STEPCAFControl_Writer writer;
-  writer.SetColorMode(Standard_True);
+  writer.SetColorMode(Standard_False);
   writer.SetNameMode(Standard_True);
   writer.SetLayerMode(Standard_False);
   writer.SetPropsMode(Standard_False);
@@ -133,6 +166,7 @@ rust::Vec<std::uint8_t> StepDoc::write(const HeaderRaw& header) {
   }
 
   const Handle(StepData_StepModel) model = writer.ChangeWriter().Model();
+  paint(writer.ChangeWriter().WS(), model, inner->painted);
   APIHeaderSection_MakeHeader fields(model);
   fields.SetName(text(header.name));
   fields.SetTimeStamp(text(header.time_stamp));

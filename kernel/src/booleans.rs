@@ -6,6 +6,7 @@ use cxx::UniquePtr;
 use crate::error::{Context, KernelError, Result};
 use crate::ffi::bridge;
 use crate::pair;
+use crate::query::Side;
 use crate::shape::Shape;
 
 /// How far, relatively, volumes may differ that must be equal.
@@ -14,6 +15,13 @@ const EQUAL: f64 = 1e-9;
 /// The same for the sum of two volumes: two bodies that touch along a curved, approximated edge add
 /// up only as well as that edge is known.
 const SUM: f64 = 1e-6;
+
+/// How many points vouch for a result, and for one that came with a warning.
+const POINTS: u32 = 64;
+const POINTS_AFTER_WARNING: u32 = 1000;
+
+/// Points nearer to a surface than this, in mm, vouch for nothing.
+const NEAR: f64 = 1e-4;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
@@ -68,9 +76,10 @@ impl Shape {
 
     fn combine(&self, other: &Self, kind: Kind) -> Result<Self> {
         let name = kind.name();
-        let raw = bridge::boolean(self.solid()?, other.solid()?, kind.code())
-            .context(|| format!("the {name} of the two solids could not be computed"))?;
-        let raw = Self::wrap(raw)?;
+        let bridge::BooleanRaw { solid, warnings } =
+            bridge::boolean(self.solid()?, other.solid()?, kind.code())
+                .context(|| format!("the {name} of the two solids could not be computed"))?;
+        let raw = Self::wrap(solid)?;
         let parts =
             bridge::parts(raw.solid()?).context(|| format!("the {name} could not be looked at"))?;
         if parts.solids != 1 {
@@ -87,7 +96,56 @@ impl Shape {
         )?
         .checked(&format!("the result of the {name}"))?;
         self.plausible(other, kind, plain.mass()?.volume)?;
+        self.vouched(other, kind, &plain, &warnings)?;
         plain.unified()
+    }
+
+    /// That points are in the result exactly when they should be: the one check that does not rest
+    /// on the boolean itself, which may be wrong without a word, and right in spite of its warnings.
+    fn vouched(&self, other: &Self, kind: Kind, result: &Self, warnings: &[String]) -> Result<()> {
+        let (a, b) = (self.bounds()?, other.bounds()?);
+        // Only where the boxes overlap has anything been computed; after a warning, look everywhere.
+        let (region, count) = if warnings.is_empty() {
+            let Some(region) = a.common(&b) else {
+                return Ok(());
+            };
+            (region, POINTS)
+        } else {
+            (a.union(&b), POINTS_AFTER_WARNING)
+        };
+        let points = pair::samples(&region, count);
+        let in_a = self.classify(&points, NEAR)?;
+        let in_b = other.classify(&points, NEAR)?;
+        let found = result.classify(&points, NEAR)?;
+        for (((point, a), b), found) in points.iter().zip(in_a).zip(in_b).zip(found) {
+            if [a, b, found].contains(&Side::Boundary) {
+                continue;
+            }
+            let (a, b) = (a == Side::Inside, b == Side::Inside);
+            let expected = match kind {
+                Kind::Fuse => a || b,
+                Kind::Cut => a && !b,
+                Kind::Common => a && b,
+            };
+            if expected != (found == Side::Inside) {
+                let [x, y, z] = point;
+                let (is, should) = if expected {
+                    ("out of", "in")
+                } else {
+                    ("in", "out of")
+                };
+                let mut text = format!(
+                    "the {} of the two solids came out wrong: the point ({x:.3}, {y:.3}, {z:.3}) is \
+                     {is} the result and should be {should} it",
+                    kind.name()
+                );
+                if !warnings.is_empty() {
+                    text.push_str(&format!(" (the kernel warned: {})", warnings.join("; ")));
+                }
+                return Err(KernelError::invalid(text));
+            }
+        }
+        Ok(())
     }
 
     /// The solid with faces of one surface joined, where that changes nothing else.
@@ -135,7 +193,7 @@ impl Shape {
                 "the tool does not touch the solid: the cut removes nothing",
                 false,
             )?),
-            Kind::Cut if volume < (a - b) - EQUAL * a.max(b) => {
+            Kind::Cut if volume < (a - b) - SUM * a.max(b) => {
                 Err(wrong("which is less than the tool can leave"))
             }
             Kind::Common if volume > a.min(b) * (1.0 + EQUAL) => {

@@ -60,6 +60,11 @@ pub mod bridge {
         loose: u32,
     }
 
+    struct BooleanRaw {
+        solid: UniquePtr<Solid>,
+        warnings: Vec<String>,
+    }
+
     #[derive(Debug)]
     struct FaceRaw {
         kind: u8,
@@ -158,7 +163,7 @@ pub mod bridge {
             radians: f64,
         ) -> Result<UniquePtr<Solid>>;
 
-        fn boolean(a: &Solid, b: &Solid, kind: u8) -> Result<UniquePtr<Solid>>;
+        fn boolean(a: &Solid, b: &Solid, kind: u8) -> Result<BooleanRaw>;
         fn parts(solid: &Solid) -> Result<PartsRaw>;
         fn only_solid(solid: &Solid) -> Result<UniquePtr<Solid>>;
         fn unify(solid: &Solid) -> Result<UniquePtr<Solid>>;

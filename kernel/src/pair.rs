@@ -124,7 +124,7 @@ pub fn sampled_common(
             box_volume: 0.0,
         });
     };
-    let points: Vec<[f64; 3]> = (0..count).map(|n| sample(&region, n)).collect();
+    let points = samples(&region, count);
     let within = inside(a, at_a, &points)?;
     let both = inside(b, at_b, &within)?;
     let inside = u32::try_from(both.len())
@@ -147,6 +147,11 @@ fn inside(shape: &Shape, at: &Placement, points: &[[f64; 3]]) -> Result<Vec<[f64
         .filter(|(_, s)| *s == Side::Inside)
         .map(|(p, _)| *p)
         .collect())
+}
+
+/// Points spread evenly over a box, the same for the same box.
+pub(crate) fn samples(region: &Bounds, count: u32) -> Vec<[f64; 3]> {
+    (0..count).map(|n| sample(region, n)).collect()
 }
 
 fn sample(region: &Bounds, n: u32) -> [f64; 3] {

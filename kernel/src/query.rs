@@ -42,6 +42,17 @@ impl Bounds {
         out.size().iter().all(|s| *s > 0.0).then_some(out)
     }
 
+    /// The box of two boxes.
+    #[must_use]
+    pub fn union(&self, other: &Self) -> Self {
+        let low = |i| self.at(i).0.min(other.at(i).0);
+        let high = |i| self.at(i).1.max(other.at(i).1);
+        Self {
+            min: [low(0), low(1), low(2)],
+            max: [high(0), high(1), high(2)],
+        }
+    }
+
     fn at(&self, axis: usize) -> (f64, f64) {
         (
             self.min.get(axis).copied().unwrap_or_default(),
@@ -133,6 +144,10 @@ impl Shape {
     }
 
     /// Volume, area, centre and inertia.
+    ///
+    /// Exact to about 1e-12 for solids whose faces are planes, cylinders, cones, spheres and tori with
+    /// borders along their parameters; to about 1e-6 where free-form faces or borders, such as the
+    /// intersection of two slanted cylinders, are integrated numerically.
     ///
     /// # Errors
     /// When the kernel fails or a number comes out that is not finite.

@@ -132,3 +132,26 @@ fn a_ball_in_a_box() {
         .unwrap();
     near(volume(&dome), 250.0 / 3.0 * PI, 1e-10);
 }
+
+#[test]
+fn balls_at_corners_edges_and_faces() {
+    // The kernel warns at most of these, and is right all the same.
+    let b = cuboid([0.0; 3], [10.0, 12.0, 14.0]);
+    let ball = 500.0 / 3.0 * PI;
+    for (center, part) in [
+        ([10.0, 12.0, 14.0], 0.125),
+        ([10.0, 12.0, 7.0], 0.25),
+        ([5.0, 12.0, 14.0], 0.25),
+        ([10.0, 6.0, 7.0], 0.5),
+        ([5.0, 6.0, 14.0], 0.5),
+    ] {
+        let s = Shape::sphere(&at(center[0], center[1], center[2]), 5.0).unwrap();
+        near(volume(&b.cut(&s).unwrap()), 1680.0 - ball * part, 1e-9);
+        near(volume(&b.common(&s).unwrap()), ball * part, 1e-9);
+        near(
+            volume(&b.fuse(&s).unwrap()),
+            1680.0 + ball * (1.0 - part),
+            1e-9,
+        );
+    }
+}

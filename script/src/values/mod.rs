@@ -3,6 +3,7 @@
 pub(crate) mod params;
 mod plain;
 mod solid;
+mod solid_methods;
 
 pub(crate) use params::Param;
 pub(crate) use plain::{Edges, Frame, Outline, Profile, Segment, pieces};

@@ -1,0 +1,150 @@
+//! Workers that die, hang or run out: each costs one diagnostic and nothing else.
+
+use std::time::{Duration, Instant};
+
+use rustix::process::{Pid, Signal, kill_process};
+use serde_json::{Value, json};
+
+use crate::kit::Kit;
+
+/// The worker processes of a server.
+fn workers(server: u32) -> Vec<u32> {
+    let children = format!("/proc/{server}/task");
+    let mut found = Vec::new();
+    for task in std::fs::read_dir(children).unwrap() {
+        let list = task.unwrap().path().join("children");
+        let text = std::fs::read_to_string(list).unwrap_or_default();
+        found.extend(text.split_whitespace().map(|p| p.parse::<u32>().unwrap()));
+    }
+    found
+}
+
+fn add(part: &str, factory: &str) -> Value {
+    json!({"assembly": "a", "part": part, "factory": factory})
+}
+
+/// A kit with an assembly of one part.
+fn kit(options: &[&str]) -> Kit {
+    let mut kit = Kit::with(options);
+    kit.new_assembly("a");
+    kit.part("a", "first", "test.block", json!({}));
+    kit
+}
+
+/// After a fault: the failed part is not there, the rest is, and work goes on.
+fn goes_on(kit: &mut Kit) {
+    let state = kit.ok("get_assembly", json!({"assembly": "a"}))["state"].clone();
+    let names: Vec<&Value> = state["parts"].as_array().unwrap().iter().map(|p| &p["part"]).collect();
+    assert_eq!(names, ["first"]);
+    kit.part("a", "next", "base_frame.stepped_shaft", json!({}));
+    kit.ok("remove", json!({"assembly": "a", "kind": "part", "name": "next"}));
+    assert_eq!(kit.ok("verify", json!({"assembly": "a"}))["verdict"], "pass");
+}
+
+#[test]
+fn a_worker_killed_in_the_middle_of_a_request() {
+    for signal in [Signal::KILL, Signal::ABORT] {
+        let mut kit = kit(&["--workers", "2"]);
+        let slow = kit.session.begin_call("add_part", add("slow", "test.endless")).unwrap();
+        // Another request is under way at the same time, on another worker.
+        let busy = |pid: &u32| {
+            let stat = std::fs::read_to_string(format!("/proc/{pid}/stat")).unwrap_or_default();
+            let ticks = stat.split_whitespace().nth(13).and_then(|t| t.parse::<u64>().ok());
+            ticks.is_some_and(|t| t > 50)
+        };
+        let until = Instant::now() + Duration::from_secs(60);
+        let victim = loop {
+            if let Some(pid) = workers(kit.session.pid()).into_iter().find(|p| busy(p)) {
+                break pid;
+            }
+            assert!(Instant::now() < until, "no worker is busy");
+            std::thread::sleep(Duration::from_millis(20));
+        };
+        kit.ok("new_assembly", json!({"assembly": "b"}));
+        kit.ok("add_part", json!({"assembly": "b", "part": "p", "factory": "bearing.ball"}));
+        kill_process(Pid::from_raw(victim as i32).unwrap(), signal).unwrap();
+        let answer = kit.session.wait_call(slow).unwrap();
+        assert!(answer.is_error);
+        let d = &answer.content["diagnostics"][0];
+        assert_eq!(d["code"], "worker_crashed");
+        let message = d["message"].as_str().unwrap();
+        assert!(message.contains("(fuse)") && message.contains("signal"), "{message}");
+        assert!(d["where"].as_str().unwrap().contains("part 'slow', factory test.endless, line 9"));
+        goes_on(&mut kit);
+    }
+}
+
+#[test]
+fn a_worker_killed_while_idle_costs_nothing() {
+    let mut kit = kit(&["--workers", "1"]);
+    for pid in workers(kit.session.pid()) {
+        kill_process(Pid::from_raw(pid as i32).unwrap(), Signal::KILL).unwrap();
+    }
+    goes_on(&mut kit);
+}
+
+#[test]
+fn a_request_that_never_ends() {
+    let mut kit = kit(&["--worker-wall-s", "2", "--workers", "1"]);
+    // Two at once on one worker: the second one's time starts when its work does.
+    let calls =
+        ["slow_1", "slow_2"].map(|p| kit.session.begin_call("add_part", add(p, "test.endless")).unwrap());
+    for call in calls {
+        let answer = kit.session.wait_call(call).unwrap();
+        let d = &answer.content["diagnostics"][0];
+        assert_eq!(d["code"], "worker_timeout");
+        let message = d["message"].as_str().unwrap();
+        assert!(message.contains("fuse") && message.contains("limit of 2 s"), "{message}");
+    }
+    goes_on(&mut kit);
+}
+
+#[test]
+fn a_request_that_uses_too_much_processor_time() {
+    let mut kit = kit(&["--worker-cpu-s", "1"]);
+    let d = kit.refusal("add_part", add("slow", "test.endless"));
+    assert_eq!(d["code"], "worker_cpu_limit");
+    assert!(d["message"].as_str().unwrap().contains("limit of 1 s"), "{d}");
+    goes_on(&mut kit);
+}
+
+#[test]
+fn a_request_that_allocates_without_end() {
+    let mut kit = kit(&["--worker-memory-mb", "250"]);
+    let d = kit.refusal("add_part", add("big", "test.glutton"));
+    assert_eq!(d["code"], "worker_memory_limit");
+    assert!(d["message"].as_str().unwrap().contains("limit of 250 MiB"), "{d}");
+    goes_on(&mut kit);
+}
+
+#[test]
+fn an_operation_that_the_kernel_cannot_do() {
+    let mut kit = kit(&[]);
+    for radius in [5.0, 6.0] {
+        let d = kit.refusal(
+            "add_part",
+            json!({
+                "assembly": "a", "part": "f", "factory": "test.impossible_fillet",
+                "params": {"radius": radius},
+            }),
+        );
+        assert_eq!(d["code"], "kernel_failed");
+        assert_eq!(d["where"], "part 'f', factory test.impossible_fillet, line 8");
+        assert!(d["message"].as_str().unwrap().contains(&format!("fillet of {radius} mm")), "{d}");
+    }
+    goes_on(&mut kit);
+}
+
+#[test]
+fn a_cancelled_call_frees_its_worker() {
+    let mut kit = kit(&["--workers", "1"]);
+    let slow = kit.session.begin_call("add_part", add("slow", "test.endless")).unwrap();
+    std::thread::sleep(Duration::from_millis(500));
+    let cancel = json!({
+        "jsonrpc": "2.0", "method": "notifications/cancelled", "params": {"requestId": slow},
+    });
+    kit.session.send(&cancel.to_string()).unwrap();
+    let start = Instant::now();
+    goes_on(&mut kit);
+    assert!(start.elapsed() < Duration::from_secs(30), "the only worker was not free");
+}
