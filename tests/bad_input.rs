@@ -8,7 +8,10 @@ use crate::kit::Kit;
 
 /// The session still works and no file has changed.
 fn unharmed(kit: &mut Kit, before: &std::collections::BTreeMap<String, Vec<u8>>) {
-    assert_eq!(kit.ok("list_assemblies", json!({}))["assemblies"], json!(["stand"]));
+    assert_eq!(
+        kit.ok("list_assemblies", json!({}))["assemblies"],
+        json!(["stand"])
+    );
     assert_eq!(&kit.files(), before);
 }
 
@@ -49,11 +52,17 @@ fn malformed_requests_are_answered() {
         ("tools/call", json!({})),
         ("tools/call", json!({"name": 7, "arguments": {}})),
         ("tools/call", json!({"name": "verify", "arguments": [1, 2]})),
-        ("tools/call", json!({"name": "verify", "arguments": "stand"})),
+        (
+            "tools/call",
+            json!({"name": "verify", "arguments": "stand"}),
+        ),
     ] {
         let answer = kit.session.request(method, params.clone()).unwrap();
         let message = answer["error"]["message"].as_str();
-        assert!(message.is_some_and(|m| !m.is_empty()), "{method} {params}: {answer}");
+        assert!(
+            message.is_some_and(|m| !m.is_empty()),
+            "{method} {params}: {answer}"
+        );
         unharmed(&mut kit, &before);
     }
 }
@@ -70,7 +79,11 @@ fn numbers_that_are_none() {
         unharmed(&mut kit, &before);
     }
     // 1e999 is JSON, but no number that can be computed with.
-    for (place, number) in [("length", "1e999"), ("length", "-1e999"), ("thickness", "1e400")] {
+    for (place, number) in [
+        ("length", "1e999"),
+        ("length", "-1e999"),
+        ("thickness", "1e400"),
+    ] {
         let line = format!(
             r#"{{"jsonrpc":"2.0","id":960,"method":"tools/call","params":{{"name":"add_part","arguments":{{"assembly":"stand","part":"x","factory":"base_frame.rect_plate","params":{{"{place}":{number}}}}}}}}}"#
         );
@@ -86,9 +99,14 @@ fn numbers_that_are_none() {
         unharmed(&mut kit, &before);
     }
     for (field, value) in [
-        ("u_mm", json!("NaN")), ("u_mm", json!("Infinity")), ("u_mm", json!(1e300)),
-        ("u_mm", json!(-1e5 - 1.0)), ("alpha_deg", json!(361)), ("v_mm", json!([1])),
-        ("v_mm", json!({})), ("d_n_mm", json!(true)),
+        ("u_mm", json!("NaN")),
+        ("u_mm", json!("Infinity")),
+        ("u_mm", json!(1e300)),
+        ("u_mm", json!(-1e5 - 1.0)),
+        ("alpha_deg", json!(361)),
+        ("v_mm", json!([1])),
+        ("v_mm", json!({})),
+        ("d_n_mm", json!(true)),
     ] {
         let mut call = json!({
             "assembly": "stand", "id": "x", "mate_type": "face_to_face",
@@ -100,13 +118,23 @@ fn numbers_that_are_none() {
         unharmed(&mut kit, &before);
     }
     let d = kit.refusal("verify", json!({"assembly": "stand", "tau_mm3": -1}));
-    assert_eq!((&d["code"], &d["where"]), (&json!("argument_invalid"), &json!("tau_mm3")));
+    assert_eq!(
+        (&d["code"], &d["where"]),
+        (&json!("argument_invalid"), &json!("tau_mm3"))
+    );
 }
 
 #[test]
 fn dimensions_out_of_reason() {
     let (mut kit, before) = kit();
-    for value in [json!(-5), json!(0), json!(1e12), json!("12"), json!(null), json!({"mm": 3})] {
+    for value in [
+        json!(-5),
+        json!(0),
+        json!(1e12),
+        json!("12"),
+        json!(null),
+        json!({"mm": 3}),
+    ] {
         let d = kit.refusal(
             "add_part",
             json!({
@@ -114,7 +142,10 @@ fn dimensions_out_of_reason() {
                 "params": {"length": value},
             }),
         );
-        assert_eq!((&d["code"], &d["where"]), (&json!("param_invalid"), &json!("params.length")));
+        assert_eq!(
+            (&d["code"], &d["where"]),
+            (&json!("param_invalid"), &json!("params.length"))
+        );
         assert_eq!(d["found"], value);
         assert!(d["expected"].as_str().unwrap().contains("mm"), "{d}");
         unharmed(&mut kit, &before);
@@ -126,15 +157,34 @@ fn names_that_are_paths_or_endless() {
     let (mut kit, before) = kit();
     let long = "x".repeat(10_000);
     for name in [
-        "", ".", "..", "../up", "/etc/passwd", "a/b", "a\\b", "a b", "a:b", "a\u{0}b", "-a", "ä", "a\nb", &long,
+        "",
+        ".",
+        "..",
+        "../up",
+        "/etc/passwd",
+        "a/b",
+        "a\\b",
+        "a b",
+        "a:b",
+        "a\u{0}b",
+        "-a",
+        "ä",
+        "a\nb",
+        &long,
     ] {
         let d = kit.refusal("new_assembly", json!({"assembly": name}));
-        assert_eq!((&d["code"], &d["where"]), (&json!("name_invalid"), &json!("assembly")));
+        assert_eq!(
+            (&d["code"], &d["where"]),
+            (&json!("name_invalid"), &json!("assembly"))
+        );
         let d = kit.refusal(
             "add_part",
             json!({"assembly": "stand", "part": name, "factory": "base_frame.rect_plate"}),
         );
-        assert_eq!((&d["code"], &d["where"]), (&json!("name_invalid"), &json!("part")));
+        assert_eq!(
+            (&d["code"], &d["where"]),
+            (&json!("name_invalid"), &json!("part"))
+        );
         for tool in ["verify", "export_step", "get_assembly"] {
             kit.refusal(tool, json!({"assembly": name}));
         }
@@ -157,11 +207,23 @@ fn files_are_written_below_the_root_only() {
     let absolute = outside.path().join("x.step");
     std::os::unix::fs::symlink(outside.path(), kit.root().join("link")).unwrap();
     for file in [
-        "../x.step", "a/../../x.step", "link/x.step", "link/deep/x.step",
-        absolute.to_str().unwrap(), "", "x", "x.txt", "assemblies/stand/assembly.json", "a/", ".step/..",
+        "../x.step",
+        "a/../../x.step",
+        "link/x.step",
+        "link/deep/x.step",
+        absolute.to_str().unwrap(),
+        "",
+        "x",
+        "x.txt",
+        "assemblies/stand/assembly.json",
+        "a/",
+        ".step/..",
     ] {
         let d = kit.refusal("export_step", json!({"assembly": "stand", "file": file}));
-        assert_eq!((&d["code"], &d["found"]), (&json!("path_invalid"), &json!(file)));
+        assert_eq!(
+            (&d["code"], &d["found"]),
+            (&json!("path_invalid"), &json!(file))
+        );
     }
     assert_eq!(std::fs::read_dir(outside.path()).unwrap().count(), 0);
     std::fs::remove_file(kit.root().join("link")).unwrap();
@@ -174,13 +236,26 @@ fn arguments_of_every_wrong_type() {
     let tools = kit.session.request("tools/list", json!({})).unwrap();
     let tools = tools["result"]["tools"].as_array().unwrap().clone();
     assert_eq!(tools.len(), 10);
-    let wrong = [json!(null), json!(-1), json!([[]]), json!({"a": {}}), json!(true)];
+    let wrong = [
+        json!(null),
+        json!(-1),
+        json!([[]]),
+        json!({"a": {}}),
+        json!(true),
+    ];
     for tool in &tools {
         let name = tool["name"].as_str().unwrap();
-        let fields: Vec<&String> =
-            tool["inputSchema"]["properties"].as_object().into_iter().flatten().map(|(k, _)| k).collect();
+        let fields: Vec<&String> = tool["inputSchema"]["properties"]
+            .as_object()
+            .into_iter()
+            .flatten()
+            .map(|(k, _)| k)
+            .collect();
         for value in &wrong {
-            let arguments: Value = fields.iter().map(|f| ((*f).clone(), value.clone())).collect();
+            let arguments: Value = fields
+                .iter()
+                .map(|f| ((*f).clone(), value.clone()))
+                .collect();
             if !fields.is_empty() {
                 kit.refused(name, arguments);
             }

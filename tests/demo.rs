@@ -1,6 +1,11 @@
 //! The demo: an MCP session over a real child process. A shaft in two ball bearings in a block on a
 //! base plate, from tool calls to a verified STEP file. Each call is printed with its answer in short.
 
+// A program of its own: its standard output is for people.
+#![allow(clippy::print_stdout)]
+
+// Other sessions use more of it.
+#[allow(dead_code)]
 mod harness;
 
 use std::path::PathBuf;
@@ -29,7 +34,11 @@ fn run() -> Result<(), String> {
         std::fs::remove_dir_all(&folder).map_err(|e| format!("{}: {e}", folder.display()))?;
     }
     let here = std::env::current_exe().map_err(|e| e.to_string())?;
-    let program = here.ancestors().nth(2).map(|p| p.join("assemcad")).ok_or("no program")?;
+    let program = here
+        .ancestors()
+        .nth(2)
+        .map(|p| p.join("assemcad"))
+        .ok_or("no program")?;
     let mut session = Session::start(&program, &root, &[])?;
     for (tool, arguments) in script() {
         println!("> {tool} {arguments}");
@@ -45,7 +54,9 @@ fn run() -> Result<(), String> {
     session.close()?;
     println!("\nleft in {}:", folder.display());
     for name in ["assembly.json", "report.json", "bearing_stand.step"] {
-        let size = std::fs::metadata(folder.join(name)).map_err(|e| format!("{name}: {e}"))?.len();
+        let size = std::fs::metadata(folder.join(name))
+            .map_err(|e| format!("{name}: {e}"))?
+            .len();
         println!("  {name} ({size} bytes)");
     }
     Ok(())
@@ -54,7 +65,10 @@ fn run() -> Result<(), String> {
 /// What an agent calls for "a shaft in a bearing block on a base plate".
 fn script() -> Vec<(&'static str, Value)> {
     let part = |part: &str, factory: &str, params: Value| {
-        ("add_part", json!({"assembly": ASSEMBLY, "part": part, "factory": factory, "params": params}))
+        (
+            "add_part",
+            json!({"assembly": ASSEMBLY, "part": part, "factory": factory, "params": params}),
+        )
     };
     let mate = |id: &str, mate_type: &str, base: &str, incoming: &str, options: Value| {
         let mut call = json!({
@@ -72,32 +86,69 @@ fn script() -> Vec<(&'static str, Value)> {
             "new_assembly",
             json!({"assembly": ASSEMBLY, "description": "A shaft in a bearing block on a base plate"}),
         ),
-        part("plate", "base_frame.rect_plate", json!({"length": 200, "width": 120, "thickness": 15})),
-        part("block", "base_frame.housing_block", json!({"length": 80, "width": 50, "height": 80, "bore_d": 47})),
-        part("bearing_front", "bearing.ball", json!({"d_i": 20, "d_o": 47, "width": 14})),
-        part("bearing_back", "bearing.ball", json!({"d_i": 20, "d_o": 47, "width": 14})),
+        part(
+            "plate",
+            "base_frame.rect_plate",
+            json!({"length": 200, "width": 120, "thickness": 15}),
+        ),
+        part(
+            "block",
+            "base_frame.housing_block",
+            json!({"length": 80, "width": 50, "height": 80, "bore_d": 47}),
+        ),
+        part(
+            "bearing_front",
+            "bearing.ball",
+            json!({"d_i": 20, "d_o": 47, "width": 14}),
+        ),
+        part(
+            "bearing_back",
+            "bearing.ball",
+            json!({"d_i": 20, "d_o": 47, "width": 14}),
+        ),
         part(
             "shaft",
             "base_frame.stepped_shaft",
             json!({"segments": [{"d": 20, "length": 70}, {"d": 26, "length": 8}, {"d": 20, "length": 40}]}),
         ),
-        mate("block_on_plate", "face_to_face", "plate:top_face", "block:bottom_face", json!({})),
+        mate(
+            "block_on_plate",
+            "face_to_face",
+            "plate:top_face",
+            "block:bottom_face",
+            json!({}),
+        ),
         // Each bearing flush with its end of the bore: its middle half its width behind the mouth.
         mate(
-            "front_in_block", "coaxial", "block:bore_port", "bearing_front:outer_ring",
+            "front_in_block",
+            "coaxial",
+            "block:bore_port",
+            "bearing_front:outer_ring",
             json!({"d_mm": -7, "direction": "same"}),
         ),
         mate(
-            "back_in_block", "coaxial", "block:bore_port_back", "bearing_back:outer_ring",
+            "back_in_block",
+            "coaxial",
+            "block:bore_port_back",
+            "bearing_back:outer_ring",
             json!({"d_mm": -7, "direction": "same"}),
         ),
         // The shaft's collar against the front ring: the seat's middle half its length behind the mouth.
         mate(
-            "shaft_in_front", "coaxial", "bearing_front:inner_ring", "shaft:shaft_seat_1",
+            "shaft_in_front",
+            "coaxial",
+            "bearing_front:inner_ring",
+            "shaft:shaft_seat_1",
             json!({"d_mm": -35, "direction": "same"}),
         ),
         // Both parts have a place already: this one is checked.
-        mate("shaft_in_back", "coaxial", "bearing_back:inner_ring", "shaft:shaft_seat_1", json!({})),
+        mate(
+            "shaft_in_back",
+            "coaxial",
+            "bearing_back:inner_ring",
+            "shaft:shaft_seat_1",
+            json!({}),
+        ),
         ("verify", json!({"assembly": ASSEMBLY})),
         ("export_step", json!({"assembly": ASSEMBLY})),
         ("get_assembly", json!({"assembly": ASSEMBLY})),
@@ -107,19 +158,43 @@ fn script() -> Vec<(&'static str, Value)> {
 /// An answer in a line or two.
 fn short(tool: &str, content: &Value) -> String {
     if let Some(faults) = content.get("diagnostics").and_then(Value::as_array) {
-        return faults.iter().map(Value::to_string).collect::<Vec<_>>().join("\n  ");
+        return faults
+            .iter()
+            .map(Value::to_string)
+            .collect::<Vec<_>>()
+            .join("\n  ");
     }
     let names = |list: &str, key: &str| {
         let items = content.pointer(list).and_then(Value::as_array);
-        let name = |v: &Value| v.get(key).unwrap_or(v).as_str().unwrap_or_default().to_owned();
-        items.into_iter().flatten().map(name).collect::<Vec<_>>().join(", ")
+        let name = |v: &Value| {
+            v.get(key)
+                .unwrap_or(v)
+                .as_str()
+                .unwrap_or_default()
+                .to_owned()
+        };
+        items
+            .into_iter()
+            .flatten()
+            .map(name)
+            .collect::<Vec<_>>()
+            .join(", ")
     };
-    let value = |place: &str| content.pointer(place).map(Value::to_string).unwrap_or_default();
+    let value = |place: &str| {
+        content
+            .pointer(place)
+            .map(Value::to_string)
+            .unwrap_or_default()
+    };
     match tool {
         "list_factories" => names("/factories", "factory"),
         "describe_factory" => format!("ports: {}", names("/ports", "name")),
         "add_part" => {
-            format!("{} mm3, ports: {}", value("/volume_mm3"), names("/ports", "name"))
+            format!(
+                "{} mm3, ports: {}",
+                value("/volume_mm3"),
+                names("/ports", "name")
+            )
         }
         "mate" => format!(
             "residual {} mm, {} deg; without a place: [{}]",
@@ -130,7 +205,11 @@ fn short(tool: &str, content: &Value) -> String {
         "verify" => {
             let checks = content.get("checks").and_then(Value::as_array);
             let check = |c: &Value| {
-                let text = |k: &str| c.get(k).map(|v| v.to_string().replace('"', "")).unwrap_or_default();
+                let text = |k: &str| {
+                    c.get(k)
+                        .map(|v| v.to_string().replace('"', ""))
+                        .unwrap_or_default()
+                };
                 format!("{} {} ({})", text("check"), text("verdict"), text("cases"))
             };
             let checks: Vec<String> = checks.into_iter().flatten().map(check).collect();
@@ -138,7 +217,11 @@ fn short(tool: &str, content: &Value) -> String {
         }
         "export_step" => format!(
             "{}: {} products, {} instances, {} bytes, sha256 {}",
-            value("/file"), value("/products"), value("/instances"), value("/bytes"), value("/sha256")
+            value("/file"),
+            value("/products"),
+            value("/instances"),
+            value("/bytes"),
+            value("/sha256")
         ),
         _ => format!("parts: {}", names("/state/parts", "part")),
     }

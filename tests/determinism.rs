@@ -30,8 +30,16 @@ fn twenty_exports_give_one_file() {
         note(export(&mut kit, "stand"));
     }
     kit.stand("other");
-    kit.part("other", "extra", "base_frame.housing_block", json!({"length": 100}));
-    kit.ok("remove", json!({"assembly": "other", "kind": "part", "name": "extra"}));
+    kit.part(
+        "other",
+        "extra",
+        "base_frame.housing_block",
+        json!({"length": 100}),
+    );
+    kit.ok(
+        "remove",
+        json!({"assembly": "other", "kind": "part", "name": "extra"}),
+    );
     kit.ok("verify", json!({"assembly": "other"}));
     for _ in 0..4 {
         export(&mut kit, "other");
@@ -66,11 +74,20 @@ fn the_order_of_arguments_does_not_matter() {
         kit.new_assembly(&name);
         kit.part(&name, "p", "base_frame.rect_plate", params);
         let report = kit.ok("verify", json!({"assembly": name, "detail": "full"}));
-        report["measured"]["parts"][0]["recipe_sha256"].as_str().unwrap().to_owned()
+        report["measured"]["parts"][0]["recipe_sha256"]
+            .as_str()
+            .unwrap()
+            .to_owned()
     };
     let plain = hash(r#"{"length": 50, "width": 40}"#);
     assert_eq!(hash(r#"{"width": 40.0,  "length": 5e1}"#), plain);
     // The defaults written out are the same part.
-    assert_eq!(hash(r#"{"length": 50, "width": 40, "thickness": 15}"#), plain);
-    assert_ne!(hash(r#"{"length": 50, "width": 40, "thickness": 15.5}"#), plain);
+    assert_eq!(
+        hash(r#"{"length": 50, "width": 40, "thickness": 15}"#),
+        plain
+    );
+    assert_ne!(
+        hash(r#"{"length": 50, "width": 40, "thickness": 15.5}"#),
+        plain
+    );
 }

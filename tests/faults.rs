@@ -34,22 +34,39 @@ fn kit(options: &[&str]) -> Kit {
 /// After a fault: the failed part is not there, the rest is, and work goes on.
 fn goes_on(kit: &mut Kit) {
     let state = kit.ok("get_assembly", json!({"assembly": "a"}))["state"].clone();
-    let names: Vec<&Value> = state["parts"].as_array().unwrap().iter().map(|p| &p["part"]).collect();
+    let names: Vec<&Value> = state["parts"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|p| &p["part"])
+        .collect();
     assert_eq!(names, ["first"]);
     kit.part("a", "next", "base_frame.stepped_shaft", json!({}));
-    kit.ok("remove", json!({"assembly": "a", "kind": "part", "name": "next"}));
-    assert_eq!(kit.ok("verify", json!({"assembly": "a"}))["verdict"], "pass");
+    kit.ok(
+        "remove",
+        json!({"assembly": "a", "kind": "part", "name": "next"}),
+    );
+    assert_eq!(
+        kit.ok("verify", json!({"assembly": "a"}))["verdict"],
+        "pass"
+    );
 }
 
 #[test]
 fn a_worker_killed_in_the_middle_of_a_request() {
     for signal in [Signal::KILL, Signal::ABORT] {
         let mut kit = kit(&["--workers", "2"]);
-        let slow = kit.session.begin_call("add_part", add("slow", "test.endless")).unwrap();
+        let slow = kit
+            .session
+            .begin_call("add_part", add("slow", "test.endless"))
+            .unwrap();
         // Another request is under way at the same time, on another worker.
         let busy = |pid: &u32| {
             let stat = std::fs::read_to_string(format!("/proc/{pid}/stat")).unwrap_or_default();
-            let ticks = stat.split_whitespace().nth(13).and_then(|t| t.parse::<u64>().ok());
+            let ticks = stat
+                .split_whitespace()
+                .nth(13)
+                .and_then(|t| t.parse::<u64>().ok());
             ticks.is_some_and(|t| t > 50)
         };
         let until = Instant::now() + Duration::from_secs(60);
@@ -61,15 +78,26 @@ fn a_worker_killed_in_the_middle_of_a_request() {
             std::thread::sleep(Duration::from_millis(20));
         };
         kit.ok("new_assembly", json!({"assembly": "b"}));
-        kit.ok("add_part", json!({"assembly": "b", "part": "p", "factory": "bearing.ball"}));
+        kit.ok(
+            "add_part",
+            json!({"assembly": "b", "part": "p", "factory": "bearing.ball"}),
+        );
         kill_process(Pid::from_raw(victim as i32).unwrap(), signal).unwrap();
         let answer = kit.session.wait_call(slow).unwrap();
         assert!(answer.is_error);
         let d = &answer.content["diagnostics"][0];
         assert_eq!(d["code"], "worker_crashed");
         let message = d["message"].as_str().unwrap();
-        assert!(message.contains("(fuse)") && message.contains("signal"), "{message}");
-        assert!(d["where"].as_str().unwrap().contains("part 'slow', factory test.endless, line 9"));
+        assert!(
+            message.contains("(fuse)") && message.contains("signal"),
+            "{message}"
+        );
+        assert!(
+            d["where"]
+                .as_str()
+                .unwrap()
+                .contains("part 'slow', factory test.endless, line 9")
+        );
         goes_on(&mut kit);
     }
 }
@@ -87,14 +115,20 @@ fn a_worker_killed_while_idle_costs_nothing() {
 fn a_request_that_never_ends() {
     let mut kit = kit(&["--worker-wall-s", "2", "--workers", "1"]);
     // Two at once on one worker: the second one's time starts when its work does.
-    let calls =
-        ["slow_1", "slow_2"].map(|p| kit.session.begin_call("add_part", add(p, "test.endless")).unwrap());
+    let calls = ["slow_1", "slow_2"].map(|p| {
+        kit.session
+            .begin_call("add_part", add(p, "test.endless"))
+            .unwrap()
+    });
     for call in calls {
         let answer = kit.session.wait_call(call).unwrap();
         let d = &answer.content["diagnostics"][0];
         assert_eq!(d["code"], "worker_timeout");
         let message = d["message"].as_str().unwrap();
-        assert!(message.contains("fuse") && message.contains("limit of 2 s"), "{message}");
+        assert!(
+            message.contains("fuse") && message.contains("limit of 2 s"),
+            "{message}"
+        );
     }
     goes_on(&mut kit);
 }
@@ -104,7 +138,10 @@ fn a_request_that_uses_too_much_processor_time() {
     let mut kit = kit(&["--worker-cpu-s", "1"]);
     let d = kit.refusal("add_part", add("slow", "test.endless"));
     assert_eq!(d["code"], "worker_cpu_limit");
-    assert!(d["message"].as_str().unwrap().contains("limit of 1 s"), "{d}");
+    assert!(
+        d["message"].as_str().unwrap().contains("limit of 1 s"),
+        "{d}"
+    );
     goes_on(&mut kit);
 }
 
@@ -113,7 +150,10 @@ fn a_request_that_allocates_without_end() {
     let mut kit = kit(&["--worker-memory-mb", "250"]);
     let d = kit.refusal("add_part", add("big", "test.glutton"));
     assert_eq!(d["code"], "worker_memory_limit");
-    assert!(d["message"].as_str().unwrap().contains("limit of 250 MiB"), "{d}");
+    assert!(
+        d["message"].as_str().unwrap().contains("limit of 250 MiB"),
+        "{d}"
+    );
     goes_on(&mut kit);
 }
 
@@ -129,8 +169,17 @@ fn an_operation_that_the_kernel_cannot_do() {
             }),
         );
         assert_eq!(d["code"], "kernel_failed");
-        assert_eq!(d["where"], "part 'f', factory test.impossible_fillet, line 8");
-        assert!(d["message"].as_str().unwrap().contains(&format!("fillet of {radius} mm")), "{d}");
+        assert_eq!(
+            d["where"],
+            "part 'f', factory test.impossible_fillet, line 8"
+        );
+        assert!(
+            d["message"]
+                .as_str()
+                .unwrap()
+                .contains(&format!("fillet of {radius} mm")),
+            "{d}"
+        );
     }
     goes_on(&mut kit);
 }
@@ -138,7 +187,10 @@ fn an_operation_that_the_kernel_cannot_do() {
 #[test]
 fn a_cancelled_call_frees_its_worker() {
     let mut kit = kit(&["--workers", "1"]);
-    let slow = kit.session.begin_call("add_part", add("slow", "test.endless")).unwrap();
+    let slow = kit
+        .session
+        .begin_call("add_part", add("slow", "test.endless"))
+        .unwrap();
     std::thread::sleep(Duration::from_millis(500));
     let cancel = json!({
         "jsonrpc": "2.0", "method": "notifications/cancelled", "params": {"requestId": slow},
@@ -146,5 +198,8 @@ fn a_cancelled_call_frees_its_worker() {
     kit.session.send(&cancel.to_string()).unwrap();
     let start = Instant::now();
     goes_on(&mut kit);
-    assert!(start.elapsed() < Duration::from_secs(30), "the only worker was not free");
+    assert!(
+        start.elapsed() < Duration::from_secs(30),
+        "the only worker was not free"
+    );
 }

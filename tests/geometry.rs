@@ -22,7 +22,14 @@ fn check(factory: &str, cases: Vec<(Value, Wanted)>) {
         let part = kit.part(&name, "p", factory, params.clone());
         let told = format!("{factory} {params}: {part}");
         // The kernel integrates over curved faces numerically; its boxes are tight to 1e-6.
-        assert!(near(&part["volume_mm3"], wanted.volume, wanted.volume * 1e-9 + 1e-6), "{told}");
+        assert!(
+            near(
+                &part["volume_mm3"],
+                wanted.volume,
+                wanted.volume * 1e-9 + 1e-6
+            ),
+            "{told}"
+        );
         let report = kit.ok("verify", json!({"assembly": name, "detail": "full"}));
         assert_eq!(report["verdict"], "pass", "{told}");
         // The root stands at the origin: its centre in the world is that in its own frame.
@@ -46,7 +53,10 @@ fn rect_plate() {
         };
         (json!({"length": l, "width": w, "thickness": t}), wanted)
     };
-    check("base_frame.rect_plate", vec![plate(200.0, 120.0, 15.0), plate(33.3, 7.0, 1.25)]);
+    check(
+        "base_frame.rect_plate",
+        vec![plate(200.0, 120.0, 15.0), plate(33.3, 7.0, 1.25)],
+    );
 }
 
 #[test]
@@ -67,7 +77,10 @@ fn housing_block() {
     };
     check(
         "base_frame.housing_block",
-        vec![block(80.0, 40.0, 80.0, 47.0, 0.0), block(120.0, 80.0, 60.0, 25.0, 41.0)],
+        vec![
+            block(80.0, 40.0, 80.0, 47.0, 0.0),
+            block(120.0, 80.0, 60.0, 25.0, 41.0),
+        ],
     );
 }
 
@@ -89,8 +102,10 @@ fn stepped_shaft() {
             min: [-r, -r, 0.0],
             max: [r, r, z],
         };
-        let list: Vec<Value> =
-            segments.iter().map(|(d, l)| json!({"d": d, "length": l})).collect();
+        let list: Vec<Value> = segments
+            .iter()
+            .map(|(d, l)| json!({"d": d, "length": l}))
+            .collect();
         (json!({"segments": list}), wanted)
     };
     check(
@@ -120,5 +135,8 @@ fn ball_bearing() {
         };
         (json!({"d_i": d_i, "d_o": d_o, "width": b}), wanted)
     };
-    check("bearing.ball", vec![bearing(20.0, 47.0, 14.0), bearing(8.0, 22.0, 7.0)]);
+    check(
+        "bearing.ball",
+        vec![bearing(20.0, 47.0, 14.0), bearing(8.0, 22.0, 7.0)],
+    );
 }

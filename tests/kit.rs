@@ -45,7 +45,11 @@ impl Kit {
                 (t["name"].as_str().unwrap().to_owned(), schema)
             })
             .collect();
-        Self { session, root, schemas }
+        Self {
+            session,
+            root,
+            schemas,
+        }
     }
 
     /// Kills the server and starts another over the same folder.
@@ -66,8 +70,10 @@ impl Kit {
     pub fn ok(&mut self, tool: &str, arguments: Value) -> Value {
         let answer = self.session.call(tool, arguments.clone()).unwrap();
         assert!(!answer.is_error, "{tool} {arguments}: {}", answer.content);
-        let faults: Vec<String> =
-            self.schemas[tool].iter_errors(&answer.content).map(|e| e.to_string()).collect();
+        let faults: Vec<String> = self.schemas[tool]
+            .iter_errors(&answer.content)
+            .map(|e| e.to_string())
+            .collect();
         assert!(faults.is_empty(), "{tool}: {faults:?}\n{}", answer.content);
         answer.content
     }
@@ -80,11 +86,21 @@ impl Kit {
         assert!(!found.is_empty());
         for d in &found {
             for key in ["code", "severity", "where", "message"] {
-                assert!(d[key].as_str().is_some_and(|s| !s.is_empty()), "{key} in {d}");
+                assert!(
+                    d[key].as_str().is_some_and(|s| !s.is_empty()),
+                    "{key} in {d}"
+                );
             }
-            let allowed =
-                ["code", "severity", "where", "message", "found", "expected", "hint", "next"];
-            assert!(d.as_object().unwrap().keys().all(|k| allowed.contains(&k.as_str())), "{d}");
+            let allowed = [
+                "code", "severity", "where", "message", "found", "expected", "hint", "next",
+            ];
+            assert!(
+                d.as_object()
+                    .unwrap()
+                    .keys()
+                    .all(|k| allowed.contains(&k.as_str())),
+                "{d}"
+            );
             assert!(d.to_string().len() < 3000, "{d}");
         }
         found
@@ -165,5 +181,7 @@ pub fn codes(found: &[Value]) -> Vec<&str> {
 
 /// Whether a value is a number near another.
 pub fn near(value: &Value, wanted: f64, tolerance: f64) -> bool {
-    value.as_f64().is_some_and(|v| (v - wanted).abs() <= tolerance)
+    value
+        .as_f64()
+        .is_some_and(|v| (v - wanted).abs() <= tolerance)
 }

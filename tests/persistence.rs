@@ -9,11 +9,26 @@ use crate::kit::{Kit, program};
 fn a_server_started_again_offers_the_assembly_as_it_was() {
     let mut kit = Kit::new();
     kit.stand("stand");
-    let before = kit.ok("get_assembly", json!({"assembly": "stand", "detail": "full"}));
+    let before = kit.ok(
+        "get_assembly",
+        json!({"assembly": "stand", "detail": "full"}),
+    );
     let mut kit = kit.killed_and_started_again();
-    assert_eq!(kit.ok("list_assemblies", json!({}))["assemblies"], json!(["stand"]));
-    assert_eq!(kit.ok("get_assembly", json!({"assembly": "stand", "detail": "full"})), before);
-    assert_eq!(kit.ok("verify", json!({"assembly": "stand"}))["verdict"], "pass");
+    assert_eq!(
+        kit.ok("list_assemblies", json!({}))["assemblies"],
+        json!(["stand"])
+    );
+    assert_eq!(
+        kit.ok(
+            "get_assembly",
+            json!({"assembly": "stand", "detail": "full"})
+        ),
+        before
+    );
+    assert_eq!(
+        kit.ok("verify", json!({"assembly": "stand"}))["verdict"],
+        "pass"
+    );
 }
 
 #[test]
@@ -32,7 +47,9 @@ fn every_answered_change_survives_a_kill() {
 fn two_servers_over_one_folder_lose_nothing() {
     let root = tempfile::tempdir().unwrap();
     let mut servers = [(); 2].map(|()| Session::start(program(), root.path(), &[]).unwrap());
-    servers[0].call("new_assembly", json!({"assembly": "a"})).unwrap();
+    servers[0]
+        .call("new_assembly", json!({"assembly": "a"}))
+        .unwrap();
     let mut calls = Vec::new();
     for i in 0..6 {
         for (s, server) in servers.iter_mut().enumerate() {
@@ -45,7 +62,10 @@ fn two_servers_over_one_folder_lose_nothing() {
     for (s, call) in calls {
         assert!(!servers[s].wait_call(call).unwrap().is_error);
     }
-    let state = servers[1].call("get_assembly", json!({"assembly": "a"})).unwrap().content;
+    let state = servers[1]
+        .call("get_assembly", json!({"assembly": "a"}))
+        .unwrap()
+        .content;
     assert_eq!(state["state"]["parts"].as_array().unwrap().len(), 12);
 }
 
@@ -55,7 +75,12 @@ fn a_damaged_specification_is_told_and_left_alone() {
     kit.stand("stand");
     let path = kit.file("assemblies/stand/assembly.json");
     let good = std::fs::read_to_string(&path).unwrap();
-    for bad in ["", "{}", &good[..good.len() / 2], &good.replace("\"stand\"", "\"other\"")] {
+    for bad in [
+        "",
+        "{}",
+        &good[..good.len() / 2],
+        &good.replace("\"stand\"", "\"other\""),
+    ] {
         std::fs::write(&path, bad).unwrap();
         let call = json!({"assembly": "stand", "part": "x", "factory": "test.block"});
         assert_eq!(kit.refusal("add_part", call)["code"], "file_damaged");
@@ -72,8 +97,12 @@ fn a_damaged_cached_solid_is_made_anew() {
     let before = kit.ok("export_step", json!({"assembly": "stand"}))["sha256"].clone();
     let cache = kit.file(".assemcad/cache");
     let entries = || -> Vec<(std::path::PathBuf, Vec<u8>)> {
-        let paths = std::fs::read_dir(&cache).unwrap().map(|e| e.unwrap().path());
-        let mut all: Vec<_> = paths.map(|p| (p.clone(), std::fs::read(p).unwrap())).collect();
+        let paths = std::fs::read_dir(&cache)
+            .unwrap()
+            .map(|e| e.unwrap().path());
+        let mut all: Vec<_> = paths
+            .map(|p| (p.clone(), std::fs::read(p).unwrap()))
+            .collect();
         all.sort();
         all
     };
@@ -93,7 +122,10 @@ fn a_damaged_cached_solid_is_made_anew() {
         std::fs::write(path, bad).unwrap();
     }
     let mut kit = kit.killed_and_started_again();
-    assert_eq!(kit.ok("export_step", json!({"assembly": "stand"}))["sha256"], before);
+    assert_eq!(
+        kit.ok("export_step", json!({"assembly": "stand"}))["sha256"],
+        before
+    );
     assert_eq!(entries(), good, "the entries were not mended");
 }
 

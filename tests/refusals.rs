@@ -20,7 +20,10 @@ fn incompatible_ports_are_refused_with_those_that_fit() {
     assert_eq!(d["code"], "mate_incompatible");
     assert_eq!(d["where"], "mate_type");
     assert_eq!(d["found"], json!(["face_to_face", "BORE", "SHAFT"]));
-    assert_eq!(d["expected"]["mate_types_for_these_ports"], json!(["coaxial"]));
+    assert_eq!(
+        d["expected"]["mate_types_for_these_ports"],
+        json!(["coaxial"])
+    );
     // The literal next call: the same with the mate type that fits. It works (the bore is wide enough).
     assert_eq!(d["next"]["tool"], "mate");
     let next = d["next"]["arguments"].clone();
@@ -35,8 +38,14 @@ fn incompatible_ports_are_refused_with_those_that_fit() {
             "base": "plate:top_face", "incoming": "pin:end_face_start",
         }),
     );
-    assert_eq!(d["expected"]["mate_types_for_these_ports"], json!(["face_to_face"]));
-    assert_eq!(d["expected"]["incoming_ports_for_this_mate_and_base"], json!([]));
+    assert_eq!(
+        d["expected"]["mate_types_for_these_ports"],
+        json!(["face_to_face"])
+    );
+    assert_eq!(
+        d["expected"]["incoming_ports_for_this_mate_and_base"],
+        json!([])
+    );
 }
 
 #[test]
@@ -52,7 +61,10 @@ fn a_shaft_thicker_than_its_bore_is_refused() {
             "base": "bearing:inner_ring", "incoming": "shaft:shaft_seat_2",
         }),
     );
-    assert_eq!((&d["code"], &d["found"]), (&json!("mate_incompatible"), &json!(25.0)));
+    assert_eq!(
+        (&d["code"], &d["found"]),
+        (&json!("mate_incompatible"), &json!(25.0))
+    );
 }
 
 #[test]
@@ -61,7 +73,10 @@ fn unknown_names_are_answered_with_the_valid_ones() {
     kit.stand("stand");
 
     let d = kit.refusal("verify", json!({"assembly": "stnd"}));
-    assert_eq!((&d["code"], &d["expected"]), (&json!("assembly_unknown"), &json!(["stand"])));
+    assert_eq!(
+        (&d["code"], &d["expected"]),
+        (&json!("assembly_unknown"), &json!(["stand"]))
+    );
     assert_eq!(d["hint"], "did you mean 'stand'?");
 
     let d = kit.refusal(
@@ -69,8 +84,18 @@ fn unknown_names_are_answered_with_the_valid_ones() {
         json!({"assembly": "stand", "part": "x", "factory": "base_frame.plate"}),
     );
     assert_eq!(d["code"], "factory_unknown");
-    assert!(d["expected"].as_array().unwrap().contains(&json!("base_frame.rect_plate")));
-    assert!(d["hint"].as_str().unwrap().contains("base_frame.rect_plate"));
+    assert!(
+        d["expected"]
+            .as_array()
+            .unwrap()
+            .contains(&json!("base_frame.rect_plate"))
+    );
+    assert!(
+        d["hint"]
+            .as_str()
+            .unwrap()
+            .contains("base_frame.rect_plate")
+    );
 
     let d = kit.refusal(
         "add_part",
@@ -79,7 +104,10 @@ fn unknown_names_are_answered_with_the_valid_ones() {
             "params": {"lenght": 10},
         }),
     );
-    assert_eq!((&d["code"], &d["where"]), (&json!("param_unknown"), &json!("params.lenght")));
+    assert_eq!(
+        (&d["code"], &d["where"]),
+        (&json!("param_unknown"), &json!("params.lenght"))
+    );
     assert_eq!(d["expected"], json!(["length", "width", "thickness"]));
 
     let d = kit.refusal(
@@ -89,8 +117,16 @@ fn unknown_names_are_answered_with_the_valid_ones() {
             "base": "block:bore", "incoming": "shaft:shaft_seat_1",
         }),
     );
-    assert_eq!((&d["code"], &d["where"]), (&json!("port_unknown"), &json!("base")));
-    assert!(d["expected"].as_array().unwrap().contains(&json!("bore_port")));
+    assert_eq!(
+        (&d["code"], &d["where"]),
+        (&json!("port_unknown"), &json!("base"))
+    );
+    assert!(
+        d["expected"]
+            .as_array()
+            .unwrap()
+            .contains(&json!("bore_port"))
+    );
 
     let d = kit.refusal(
         "mate",
@@ -99,11 +135,20 @@ fn unknown_names_are_answered_with_the_valid_ones() {
             "base": "blok:bore_port", "incoming": "shaft:shaft_seat_1",
         }),
     );
-    assert_eq!((&d["code"], &d["where"]), (&json!("part_unknown"), &json!("base")));
+    assert_eq!(
+        (&d["code"], &d["where"]),
+        (&json!("part_unknown"), &json!("base"))
+    );
     assert_eq!(d["expected"], json!(["plate", "block", "bearing", "shaft"]));
 
-    let d = kit.refusal("remove", json!({"assembly": "stand", "kind": "mate", "name": "m9"}));
-    assert_eq!((&d["code"], &d["expected"]), (&json!("mate_unknown"), &json!(["m1", "m2", "m3"])));
+    let d = kit.refusal(
+        "remove",
+        json!({"assembly": "stand", "kind": "mate", "name": "m9"}),
+    );
+    assert_eq!(
+        (&d["code"], &d["expected"]),
+        (&json!("mate_unknown"), &json!(["m1", "m2", "m3"]))
+    );
 
     let d = kit.refusal("make_coffee", json!({}));
     assert_eq!(d["code"], "tool_unknown");
@@ -125,7 +170,13 @@ fn all_that_is_wrong_is_told_at_once() {
     all.sort_unstable();
     assert_eq!(
         all,
-        ["name_invalid", "param_invalid", "param_unknown", "part_unknown", "port_unknown"]
+        [
+            "name_invalid",
+            "param_invalid",
+            "param_unknown",
+            "part_unknown",
+            "port_unknown"
+        ]
     );
     let found = kit.refused(
         "add_part",
@@ -136,7 +187,15 @@ fn all_that_is_wrong_is_told_at_once() {
     );
     let mut all = codes(&found);
     all.sort_unstable();
-    assert_eq!(all, ["name_taken", "param_invalid", "param_invalid", "param_unknown"]);
+    assert_eq!(
+        all,
+        [
+            "name_taken",
+            "param_invalid",
+            "param_invalid",
+            "param_unknown"
+        ]
+    );
 }
 
 #[test]
@@ -160,7 +219,10 @@ fn a_loop_that_does_not_close_is_refused_with_its_residual() {
         "assembly": "stand", "id": "loop", "mate_type": "coaxial",
         "base": "block:bore_port_back", "incoming": "shaft:shaft_seat_1",
     }));
-    assert_eq!(held["residual"], json!({"distance_mm": 0.0, "angle_deg": 0.0}));
+    assert_eq!(
+        held["residual"],
+        json!({"distance_mm": 0.0, "angle_deg": 0.0})
+    );
 }
 
 #[test]
@@ -175,7 +237,10 @@ fn a_part_that_no_rule_allows_is_refused_with_the_rule() {
         }),
     );
     assert!(d["message"].as_str().unwrap().contains("bore_d"), "{d}");
-    assert_eq!(kit.ok("get_assembly", json!({"assembly": "a"}))["state"]["parts"], json!([]));
+    assert_eq!(
+        kit.ok("get_assembly", json!({"assembly": "a"}))["state"]["parts"],
+        json!([])
+    );
 }
 
 #[test]
@@ -188,6 +253,9 @@ fn export_needs_a_place_for_every_part() {
     assert!(!kit.file("assemblies/stand/stand.step").exists());
     kit.new_assembly("empty");
     for tool in ["export_step", "verify"] {
-        assert_eq!(kit.refusal(tool, json!({"assembly": "empty"}))["code"], "assembly_empty");
+        assert_eq!(
+            kit.refusal(tool, json!({"assembly": "empty"}))["code"],
+            "assembly_empty"
+        );
     }
 }

@@ -16,9 +16,18 @@ fn a_shaft_in_a_bearing_block_on_a_base_plate() {
     // The block's bottom is on the plate (15 mm thick); the bore's axis is 40 mm above it. The
     // bearing's body starts 14 mm behind the block's front at y = 20. The shaft's first segment of
     // 60 mm ends in the plane of the bearing's front, so the shaft starts at y = 20 - 60.
-    let origins: Vec<&serde_json::Value> =
-        state["parts"].as_array().unwrap().iter().map(|p| &p["origin_mm"]).collect();
-    let wanted = [[0.0, 0.0, 0.0], [0.0, 0.0, 15.0], [0.0, 6.0, 55.0], [0.0, -40.0, 55.0]];
+    let origins: Vec<&serde_json::Value> = state["parts"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|p| &p["origin_mm"])
+        .collect();
+    let wanted = [
+        [0.0, 0.0, 0.0],
+        [0.0, 0.0, 15.0],
+        [0.0, 6.0, 55.0],
+        [0.0, -40.0, 55.0],
+    ];
     for (origin, wanted) in origins.iter().zip(wanted) {
         for (value, wanted) in origin.as_array().unwrap().iter().zip(wanted) {
             assert!(near(value, wanted, 0.0), "{origins:?}");
@@ -33,7 +42,10 @@ fn a_shaft_in_a_bearing_block_on_a_base_plate() {
     let step = kit.ok("export_step", json!({"assembly": "stand"}));
     assert_eq!(step["file"], "assemblies/stand/stand.step");
     assert_eq!(step["verified"], "pass");
-    assert_eq!((&step["products"], &step["instances"]), (&json!(4), &json!(4)));
+    assert_eq!(
+        (&step["products"], &step["instances"]),
+        (&json!(4), &json!(4))
+    );
     let text = std::fs::read_to_string(kit.file("assemblies/stand/stand.step")).unwrap();
     assert_eq!(text.len() as u64, step["bytes"].as_u64().unwrap());
     assert!(text.contains("AP242_MANAGED_MODEL_BASED_3D_ENGINEERING_MIM_LF"));
@@ -42,10 +54,17 @@ fn a_shaft_in_a_bearing_block_on_a_base_plate() {
     assert!(flat.contains(step["specification_sha256"].as_str().unwrap()));
     assert!(flat.contains("'1970-01-01T00:00:00'"));
     for (i, part) in ["plate", "block", "bearing", "shaft"].iter().enumerate() {
-        assert!(flat.contains(&format!("NEXT_ASSEMBLY_USAGE_OCCURRENCE('{}','{part}'", i + 1)));
+        assert!(flat.contains(&format!(
+            "NEXT_ASSEMBLY_USAGE_OCCURRENCE('{}','{part}'",
+            i + 1
+        )));
     }
     for product in ["base_frame.rect_plate", "bearing.ball", "stand"] {
-        assert_eq!(flat.matches(&format!("PRODUCT('{product}','{product}'")).count(), 1);
+        assert_eq!(
+            flat.matches(&format!("PRODUCT('{product}','{product}'"))
+                .count(),
+            1
+        );
     }
     assert!(!text.contains("Open CASCADE"), "a product without a name");
     kit.session.close().unwrap();
@@ -59,20 +78,37 @@ fn equal_parts_are_one_product() {
     for (i, u) in [-60.0, 0.0, 60.0].iter().enumerate() {
         let part = format!("cube_{i}");
         // The third one is of another size: a product of its own.
-        kit.part("a", &part, "test.block", json!({"size": if i == 2 { 12 } else { 10 }}));
+        kit.part(
+            "a",
+            &part,
+            "test.block",
+            json!({"size": if i == 2 { 12 } else { 10 }}),
+        );
         kit.mate(json!({
             "assembly": "a", "id": part, "mate_type": "face_to_face",
             "base": "plate:top_face", "incoming": format!("{part}:bottom"), "u_mm": u,
         }));
     }
-    let step = kit.ok("export_step", json!({"assembly": "a", "file": "some/where/else.stp"}));
-    assert_eq!((&step["products"], &step["instances"]), (&json!(3), &json!(4)));
+    let step = kit.ok(
+        "export_step",
+        json!({"assembly": "a", "file": "some/where/else.stp"}),
+    );
+    assert_eq!(
+        (&step["products"], &step["instances"]),
+        (&json!(3), &json!(4))
+    );
     assert_eq!(step["verified"], json!(null), "nothing was verified yet");
-    let flat: String =
-        std::fs::read_to_string(kit.file("some/where/else.stp")).unwrap().split_whitespace().collect();
+    let flat: String = std::fs::read_to_string(kit.file("some/where/else.stp"))
+        .unwrap()
+        .split_whitespace()
+        .collect();
     assert_eq!(flat.matches("MANIFOLD_SOLID_BREP(").count(), 3);
     assert_eq!(flat.matches("PRODUCT('test.block','test.block'").count(), 1);
-    assert_eq!(flat.matches("PRODUCT('test.block-2','test.block-2'").count(), 1);
+    assert_eq!(
+        flat.matches("PRODUCT('test.block-2','test.block-2'")
+            .count(),
+        1
+    );
 }
 
 #[test]
@@ -96,13 +132,28 @@ fn calls_made_twice_change_nothing() {
 fn what_is_removed_can_be_made_anew() {
     let mut kit = Kit::new();
     kit.stand("stand");
-    let d = kit.refusal("remove", json!({"assembly": "stand", "kind": "part", "name": "bearing"}));
-    assert_eq!((&d["code"], &d["found"]), (&json!("in_use"), &json!(["m2", "m3"])));
-    assert_eq!(d["next"]["arguments"], json!({"assembly": "stand", "kind": "mate", "name": "m2"}));
+    let d = kit.refusal(
+        "remove",
+        json!({"assembly": "stand", "kind": "part", "name": "bearing"}),
+    );
+    assert_eq!(
+        (&d["code"], &d["found"]),
+        (&json!("in_use"), &json!(["m2", "m3"]))
+    );
+    assert_eq!(
+        d["next"]["arguments"],
+        json!({"assembly": "stand", "kind": "mate", "name": "m2"})
+    );
     for mate in ["m2", "m3"] {
-        kit.ok("remove", json!({"assembly": "stand", "kind": "mate", "name": mate}));
+        kit.ok(
+            "remove",
+            json!({"assembly": "stand", "kind": "mate", "name": mate}),
+        );
     }
-    let state = kit.ok("remove", json!({"assembly": "stand", "kind": "part", "name": "bearing"}));
+    let state = kit.ok(
+        "remove",
+        json!({"assembly": "stand", "kind": "part", "name": "bearing"}),
+    );
     assert_eq!(state["state"]["unplaced"], json!(["shaft"]));
     kit.part("stand", "bearing", "bearing.ball", json!({"width": 20}));
 }
@@ -137,11 +188,18 @@ fn a_session_piped_in_gets_all_its_answers() {
     // The input ends right behind the last call, as it does for `assemcad serve < session`.
     let root = tempfile::tempdir().unwrap();
     let mut session = Session::start(program(), root.path(), &[]).unwrap();
-    session.call("new_assembly", json!({"assembly": "a"})).unwrap();
     session
-        .call("add_part", json!({"assembly": "a", "part": "p", "factory": "base_frame.rect_plate"}))
+        .call("new_assembly", json!({"assembly": "a"}))
         .unwrap();
-    session.begin_call("export_step", json!({"assembly": "a"})).unwrap();
+    session
+        .call(
+            "add_part",
+            json!({"assembly": "a", "part": "p", "factory": "base_frame.rect_plate"}),
+        )
+        .unwrap();
+    session
+        .begin_call("export_step", json!({"assembly": "a"}))
+        .unwrap();
     session.close().unwrap();
     assert!(root.path().join("assemblies/a/a.step").exists());
 }
@@ -155,13 +213,23 @@ fn the_stateless_revision_is_spoken_too() {
         "io.modelcontextprotocol/clientInfo": {"name": "t", "version": "1"},
         "io.modelcontextprotocol/clientCapabilities": {},
     });
-    let found = session.request("server/discover", json!({"_meta": meta})).unwrap();
-    assert!(found["result"]["supportedVersions"].to_string().contains("2026-07-28"), "{found}");
+    let found = session
+        .request("server/discover", json!({"_meta": meta}))
+        .unwrap();
+    assert!(
+        found["result"]["supportedVersions"]
+            .to_string()
+            .contains("2026-07-28"),
+        "{found}"
+    );
     let list = session
         .request(
             "tools/call",
             json!({"_meta": meta, "name": "list_factories", "arguments": {}}),
         )
         .unwrap();
-    assert_eq!(list["result"]["structuredContent"]["factories"][0]["factory"], "base_frame.housing_block");
+    assert_eq!(
+        list["result"]["structuredContent"]["factories"][0]["factory"],
+        "base_frame.housing_block"
+    );
 }

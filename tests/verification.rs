@@ -27,11 +27,20 @@ fn an_overlap_is_found_with_its_volume() {
     assert_eq!(finding["diagnostic"]["code"], "clash");
     assert_eq!(finding["parts"], json!(["base", "top"]));
     assert_eq!(finding["mates"], json!(["m"]));
-    assert!(near(&finding["values"]["common_volume_mm3"], 200.0, 1e-6), "{finding}");
-    assert!(near(&finding["values"]["estimate_mm3"], 200.0, 2.0), "{finding}");
+    assert!(
+        near(&finding["values"]["common_volume_mm3"], 200.0, 1e-6),
+        "{finding}"
+    );
+    assert!(
+        near(&finding["values"]["estimate_mm3"], 200.0, 2.0),
+        "{finding}"
+    );
     assert_eq!(finding["values"]["centre_mm"], json!([10.0, 10.0, 19.0]));
     // The export goes on, and says what the verification said.
-    assert_eq!(kit.ok("export_step", json!({"assembly": "a"}))["verified"], "fail");
+    assert_eq!(
+        kit.ok("export_step", json!({"assembly": "a"}))["verified"],
+        "fail"
+    );
     // With a threshold above the overlap there is no clash.
     let report = kit.ok("verify", json!({"assembly": "a", "tau_mm3": 200.5}));
     assert_eq!(report["verdict"], "pass");
@@ -40,16 +49,33 @@ fn an_overlap_is_found_with_its_volume() {
 #[test]
 fn a_thin_overlap_on_a_face_is_found() {
     let (_, report) = cubes(-0.01);
-    assert!(near(&report["findings"][0]["values"]["common_volume_mm3"], 1.0, 1e-6), "{report}");
+    assert!(
+        near(
+            &report["findings"][0]["values"]["common_volume_mm3"],
+            1.0,
+            1e-6
+        ),
+        "{report}"
+    );
     // 1 micrometre on 10 x 10 mm is 0.1 mm3, above the threshold of 0.001.
     let (_, report) = cubes(-0.001);
-    assert!(near(&report["findings"][0]["values"]["common_volume_mm3"], 0.1, 1e-6), "{report}");
+    assert!(
+        near(
+            &report["findings"][0]["values"]["common_volume_mm3"],
+            0.1,
+            1e-6
+        ),
+        "{report}"
+    );
 }
 
 #[test]
 fn parts_that_only_touch_are_not_reported() {
     let (_, report) = cubes(0.0);
-    assert_eq!((&report["verdict"], &report["findings"]), (&json!("pass"), &json!([])));
+    assert_eq!(
+        (&report["verdict"], &report["findings"]),
+        (&json!("pass"), &json!([]))
+    );
     let pair = &report["measured"]["pairs"][0];
     assert!(near(&pair["common_volume_mm3"], 0.0, 1e-9), "{pair}");
 }
@@ -68,10 +94,22 @@ fn a_shaft_in_its_bore_touches_all_around_and_does_not_clash() {
     let report = kit.ok("verify", json!({"assembly": "stand", "detail": "full"}));
     let pair = |a: &str, b: &str| {
         let pairs = report["measured"]["pairs"].as_array().unwrap();
-        pairs.iter().find(|p| p["a"] == a && p["b"] == b).unwrap().clone()
+        pairs
+            .iter()
+            .find(|p| p["a"] == a && p["b"] == b)
+            .unwrap()
+            .clone()
     };
-    assert!(near(&pair("bearing", "shaft")["common_volume_mm3"], 0.0, 1e-6));
-    assert!(near(&pair("block", "bearing")["common_volume_mm3"], 0.0, 1e-6));
+    assert!(near(
+        &pair("bearing", "shaft")["common_volume_mm3"],
+        0.0,
+        1e-6
+    ));
+    assert!(near(
+        &pair("block", "bearing")["common_volume_mm3"],
+        0.0,
+        1e-6
+    ));
 }
 
 #[test]
@@ -107,10 +145,14 @@ fn a_part_that_nothing_joins_is_reported() {
 fn the_report_on_disk_is_the_whole_one() {
     let (kit, answer) = cubes(-2.0);
     let report: Value =
-        serde_json::from_slice(&std::fs::read(kit.file("assemblies/a/report.json")).unwrap()).unwrap();
+        serde_json::from_slice(&std::fs::read(kit.file("assemblies/a/report.json")).unwrap())
+            .unwrap();
     assert_eq!(report["verdict"], "fail");
     assert_eq!(report["findings"], answer["findings"]);
     assert_eq!(report["pairs"], answer["measured"]["pairs"]);
-    assert_eq!(report["specification_sha256"], answer["specification_sha256"]);
+    assert_eq!(
+        report["specification_sha256"],
+        answer["specification_sha256"]
+    );
     assert_eq!(report["tau_mm3"], 0.001);
 }

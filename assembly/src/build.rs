@@ -13,7 +13,9 @@ impl Workshop {
     /// # Errors
     /// Why there is no such solid, with the operation and its line in the factory's source.
     pub async fn build(&self, part: &ResolvedPart) -> Result<Built, Diagnostic> {
-        let job = Job::Build { recipe: part.made.recipe.clone() };
+        let job = Job::Build {
+            recipe: part.made.recipe.clone(),
+        };
         match self.pool.run(&job).await {
             Ok((Reply::Built(built), _)) => Ok(built),
             Ok(_) => Err(unexpected(&job)),
@@ -26,16 +28,26 @@ impl Workshop {
 #[must_use]
 pub fn part_failure(failure: &Failure, part: &ResolvedPart) -> Diagnostic {
     let step = failure.doing.as_ref().and_then(|d| d.step);
-    let line = step.and_then(|s| part.made.lines.get(s)).map(|l| format!(", line {l}"));
-    let place =
-        format!("part '{}', factory {}{}", part.id, part.factory, line.unwrap_or_default());
+    let line = step
+        .and_then(|s| part.made.lines.get(s))
+        .map(|l| format!(", line {l}"));
+    let place = format!(
+        "part '{}', factory {}{}",
+        part.id,
+        part.factory,
+        line.unwrap_or_default()
+    );
     diagnostic(failure, &place)
 }
 
 /// A failure of the kernel or its worker as a diagnostic.
 #[must_use]
 pub fn diagnostic(failure: &Failure, place: &str) -> Diagnostic {
-    let doing = failure.doing.as_ref().map(|d| format!("in {d}: ")).unwrap_or_default();
+    let doing = failure
+        .doing
+        .as_ref()
+        .map(|d| format!("in {d}: "))
+        .unwrap_or_default();
     let message = format!("{doing}{}", failure.message);
     let (code, hint) = match failure.kind {
         FailureKind::Kernel => (Code::KernelFailed, None),
@@ -53,8 +65,10 @@ pub fn diagnostic(failure: &Failure, place: &str) -> Diagnostic {
         ),
         FailureKind::Crash => (
             Code::WorkerCrashed,
-            Some("the worker was replaced and nothing was lost; if the same call fails again, \
-                  change the parameters of this operation"),
+            Some(
+                "the worker was replaced and nothing was lost; if the same call fails again, \
+                  change the parameters of this operation",
+            ),
         ),
         FailureKind::Worker => (Code::WorkerFailed, None),
     };
@@ -68,5 +82,9 @@ pub fn diagnostic(failure: &Failure, place: &str) -> Diagnostic {
 /// A worker's answer to another question: a fault of the server.
 #[must_use]
 pub(crate) fn unexpected(job: &Job) -> Diagnostic {
-    Diagnostic::error(Code::Internal, job.name(), "the worker answered another question")
+    Diagnostic::error(
+        Code::Internal,
+        job.name(),
+        "the worker answered another question",
+    )
 }

@@ -53,7 +53,11 @@ impl Workshop {
     ///
     /// # Errors
     /// When the name is none, or another assembly has it.
-    pub async fn new_assembly(&self, id: &str, description: &str) -> Result<(Change, State), Faults> {
+    pub async fn new_assembly(
+        &self,
+        id: &str,
+        description: &str,
+    ) -> Result<(Change, State), Faults> {
         self.store.make_folder(id).map_err(one)?;
         let _lock = self.store.lock(id).await.map_err(one)?;
         let change = if self.store.exists(id) {
@@ -70,7 +74,9 @@ impl Workshop {
             }
             Change::None
         } else {
-            self.store.save(&Assembly::new(id, description)).map_err(one)?;
+            self.store
+                .save(&Assembly::new(id, description))
+                .map_err(one)?;
             Change::Made
         };
         Ok((change, self.state(id)?))
@@ -119,7 +125,12 @@ impl Workshop {
             spec.parts.push(part);
         }
         let state = self.commit(&spec, change)?;
-        Ok(Added { change, part: resolved, built, state })
+        Ok(Added {
+            change,
+            part: resolved,
+            built,
+            state,
+        })
     }
 
     /// Makes a mate. The first that joins a part without a place to one with a place places it; one
@@ -164,7 +175,12 @@ impl Workshop {
             return Err(one(does_not_hold(&resolved, &r)));
         }
         let state = self.commit(&spec, change)?;
-        Ok(Mated { change, mate: resolved, residual, state })
+        Ok(Mated {
+            change,
+            mate: resolved,
+            residual,
+            state,
+        })
     }
 
     /// Removes a mate.
@@ -208,7 +224,10 @@ impl Workshop {
             )
             .found(json!(users))
             .hint("remove these mates first")
-            .next("remove", json!({"assembly": assembly, "kind": "mate", "name": first}))));
+            .next(
+                "remove",
+                json!({"assembly": assembly, "kind": "mate", "name": first}),
+            )));
         }
         spec.parts.retain(|p| p.id != id);
         if spec.root.as_deref() == Some(id) {
@@ -241,9 +260,18 @@ fn one(d: Diagnostic) -> Faults {
 }
 
 fn taken(kind: &str, place: &str, assembly: &str, name: &str) -> Diagnostic {
-    Diagnostic::error(Code::NameTaken, place, format!("there is another {kind} '{name}'"))
-        .hint(format!("choose another name, or remove the {kind} that has it"))
-        .next("remove", json!({"assembly": assembly, "kind": kind, "name": name}))
+    Diagnostic::error(
+        Code::NameTaken,
+        place,
+        format!("there is another {kind} '{name}'"),
+    )
+    .hint(format!(
+        "choose another name, or remove the {kind} that has it"
+    ))
+    .next(
+        "remove",
+        json!({"assembly": assembly, "kind": kind, "name": name}),
+    )
 }
 
 fn does_not_hold(m: &ResolvedMate, r: &Residual) -> Diagnostic {

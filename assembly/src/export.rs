@@ -96,7 +96,12 @@ impl Workshop {
         check_read_back(&resolved, &measured, &facts).map_err(one)?;
         self.store.write(&file, &bytes).map_err(one)?;
         let report: Option<Report> = self.store.read_json(&report_file(id));
-        let Job::Step { solids, instances, .. } = &job else { return Err(one(unexpected(&job))) };
+        let Job::Step {
+            solids, instances, ..
+        } = &job
+        else {
+            return Err(one(unexpected(&job)));
+        };
         Ok(Exported {
             file,
             bytes: bytes.len(),
@@ -111,15 +116,15 @@ impl Workshop {
     }
 
     /// Volume and centre in the world of all parts; every part must have a place and be made.
-    async fn ready(
-        &self,
-        id: &str,
-        resolved: &Resolved,
-    ) -> Result<Vec<(f64, [f64; 3])>, Faults> {
+    async fn ready(&self, id: &str, resolved: &Resolved) -> Result<Vec<(f64, [f64; 3])>, Faults> {
         if resolved.parts.is_empty() {
             return Err(vec![
-                Diagnostic::error(Code::AssemblyEmpty, "assembly", format!("'{id}' has no parts"))
-                    .next("list_factories", json!({})),
+                Diagnostic::error(
+                    Code::AssemblyEmpty,
+                    "assembly",
+                    format!("'{id}' has no parts"),
+                )
+                .next("list_factories", json!({})),
             ]);
         }
         let placed = place::assembly(resolved).map_err(|d| vec![d])?;
@@ -143,7 +148,11 @@ impl Workshop {
                 (Err(d), _) => faults.push(d),
             }
         }
-        if faults.is_empty() { Ok(solids) } else { Err(faults) }
+        if faults.is_empty() {
+            Ok(solids)
+        } else {
+            Err(faults)
+        }
     }
 }
 
@@ -179,7 +188,11 @@ fn tree(resolved: &Resolved) -> Result<(Vec<Product>, Vec<Instance>), Diagnostic
             }
         };
         let placement = placed.of(i).unwrap_or_default();
-        instances.push(Instance { name: part.id.clone(), solid, placement: placement.into() });
+        instances.push(Instance {
+            name: part.id.clone(),
+            solid,
+            placement: placement.into(),
+        });
     }
     Ok((products, instances))
 }
@@ -193,7 +206,9 @@ fn check_read_back(
         Diagnostic::error(
             Code::KernelFailed,
             "export_step",
-            format!("the STEP file does not hold what the assembly is: {what}; nothing was written"),
+            format!(
+                "the STEP file does not hold what the assembly is: {what}; nothing was written"
+            ),
         )
     };
     if facts.instances.len() != resolved.parts.len() {
@@ -210,12 +225,23 @@ fn check_read_back(
         let near = (leaf.volume - volume).abs() <= READ_BACK_TOLERANCE * volume;
         if !near {
             let read = leaf.volume;
-            return Err(wrong(format!("part '{}' has {read} mm3 instead of {volume}", part.id)));
+            return Err(wrong(format!(
+                "part '{}' has {read} mm3 instead of {volume}",
+                part.id
+            )));
         }
-        let off = leaf.centre.iter().zip(centre).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let off = leaf
+            .centre
+            .iter()
+            .zip(centre)
+            .map(|(a, b)| (a - b).abs())
+            .fold(0.0, f64::max);
         let near = off <= READ_BACK_MM;
         if !near {
-            return Err(wrong(format!("part '{}' lies {off} mm from its place", part.id)));
+            return Err(wrong(format!(
+                "part '{}' lies {off} mm from its place",
+                part.id
+            )));
         }
     }
     Ok(())

@@ -40,6 +40,10 @@ impl Workshop {
     /// # Errors
     /// When the folder cannot be made or opened.
     pub fn open(root: &Path, registry: Registry, pool: Pool) -> Result<Self, Diagnostic> {
-        Ok(Self { registry, pool, store: Store::open(root)? })
+        Ok(Self {
+            registry,
+            pool,
+            store: Store::open(root)?,
+        })
     }
 }

@@ -24,7 +24,10 @@ pub struct Placed {
 /// When a port's frame is none: a fault of its factory.
 pub fn assembly(resolved: &Resolved) -> Result<Placed, Diagnostic> {
     let n = resolved.parts.len();
-    let mut placed = Placed { parts: vec![None; n], placed_by: vec![None; n] };
+    let mut placed = Placed {
+        parts: vec![None; n],
+        placed_by: vec![None; n],
+    };
     if let Some(slot) = resolved.root.and_then(|root| placed.parts.get_mut(root)) {
         *slot = Some(Placement::IDENTITY);
     }
@@ -75,14 +78,24 @@ impl Placed {
 }
 
 fn place_incoming(m: &ResolvedMate, base: &Placement) -> Result<Placement, FrameError> {
-    m.mate.mate_type.kind().place_incoming(base, &m.base_port, &m.incoming_port, &m.options)
+    m.mate
+        .mate_type
+        .kind()
+        .place_incoming(base, &m.base_port, &m.incoming_port, &m.options)
 }
 
 fn place_base(m: &ResolvedMate, incoming: &Placement) -> Result<Placement, FrameError> {
-    m.mate.mate_type.kind().place_base(incoming, &m.base_port, &m.incoming_port, &m.options)
+    m.mate
+        .mate_type
+        .kind()
+        .place_base(incoming, &m.base_port, &m.incoming_port, &m.options)
 }
 
 fn frame_fault(m: &ResolvedMate, e: FrameError) -> Diagnostic {
-    Diagnostic::error(Code::FactoryFailed, format!("mate {}", m.mate.id), e.to_string())
-        .hint("the factory of one of the two parts states an impossible port frame")
+    Diagnostic::error(
+        Code::FactoryFailed,
+        format!("mate {}", m.mate.id),
+        e.to_string(),
+    )
+    .hint("the factory of one of the two parts states an impossible port frame")
 }

@@ -101,17 +101,27 @@ pub fn assembly(registry: &Registry, spec: &Assembly) -> Result<Resolved, Faults
 /// Everything that is wrong with factory and parameters, `place` leading the paths.
 pub fn part(registry: &Registry, part: &Part, place: &str) -> Result<ResolvedPart, Faults> {
     let at = |field: &str| {
-        if place.is_empty() { field.to_owned() } else { format!("{place}.{field}") }
+        if place.is_empty() {
+            field.to_owned()
+        } else {
+            format!("{place}.{field}")
+        }
     };
-    let made = registry.build(&part.factory, &part.params).map_err(|faults| {
-        let under = |d: Diagnostic| {
-            let inner = d.place.clone();
-            let ours = inner == "factory" || inner.starts_with("params");
-            if ours { d.at(at(&inner)) } else { d }
-        };
-        faults.into_iter().map(under).collect::<Faults>()
-    })?;
-    Ok(ResolvedPart { id: part.id.clone(), factory: part.factory.clone(), made })
+    let made = registry
+        .build(&part.factory, &part.params)
+        .map_err(|faults| {
+            let under = |d: Diagnostic| {
+                let inner = d.place.clone();
+                let ours = inner == "factory" || inner.starts_with("params");
+                if ours { d.at(at(&inner)) } else { d }
+            };
+            faults.into_iter().map(under).collect::<Faults>()
+        })?;
+    Ok(ResolvedPart {
+        id: part.id.clone(),
+        factory: part.factory.clone(),
+        made,
+    })
 }
 
 /// Resolves one mate: parts and ports found, types compatible, options complete, conditions met.
@@ -150,18 +160,32 @@ pub fn mate(
                 Diagnostic::error(
                     Code::MateSelf,
                     at("incoming"),
-                    format!("a mate joins two parts, and this one joins '{}' to itself", mate.base.part),
+                    format!(
+                        "a mate joins two parts, and this one joins '{}' to itself",
+                        mate.base.part
+                    ),
                 )
                 .found(mate.incoming.to_string()),
             );
         } else if !kind.joins(base_port.port_type, incoming_port.port_type) {
-            faults.push(incompatible(parts, assembly, mate, (base, base_port), (incoming, incoming_port), at));
+            faults.push(incompatible(
+                parts,
+                assembly,
+                mate,
+                (base, base_port),
+                (incoming, incoming_port),
+                at,
+            ));
         } else {
-            faults.extend(kind.conditions(base_port, incoming_port).into_iter().map(|c| {
-                Diagnostic::error(Code::MateIncompatible, at("incoming"), c.message)
-                    .found(c.found)
-                    .expected(c.expected)
-            }));
+            faults.extend(
+                kind.conditions(base_port, incoming_port)
+                    .into_iter()
+                    .map(|c| {
+                        Diagnostic::error(Code::MateIncompatible, at("incoming"), c.message)
+                            .found(c.found)
+                            .expected(c.expected)
+                    }),
+            );
             if let (true, Some(options)) = (faults.is_empty(), options) {
                 return Ok(ResolvedMate {
                     mate: mate.clone(),
@@ -196,7 +220,12 @@ fn port<'a>(
     let d = Diagnostic::error(
         Code::PortUnknown,
         place,
-        format!("part '{}' ({}) has no port '{}'", part.id, part.factory, clip(&end.port)),
+        format!(
+            "part '{}' ({}) has no port '{}'",
+            part.id,
+            part.factory,
+            clip(&end.port)
+        ),
     )
     .found(end.port.as_str())
     .expected(json!(names));
@@ -210,9 +239,13 @@ fn port<'a>(
 #[must_use]
 pub fn part_unknown(parts: &[ResolvedPart], id: &str, place: &str) -> Diagnostic {
     let names: Vec<&str> = parts.iter().map(|p| p.id.as_str()).collect();
-    let d = Diagnostic::error(Code::PartUnknown, place, format!("there is no part '{}'", clip(id)))
-        .found(id)
-        .expected(json!(names));
+    let d = Diagnostic::error(
+        Code::PartUnknown,
+        place,
+        format!("there is no part '{}'", clip(id)),
+    )
+    .found(id)
+    .expected(json!(names));
     match nearest(id, names, 1).first() {
         Some(near) => d.hint(format!("did you mean '{near}'?")),
         None => d,
@@ -256,7 +289,11 @@ fn incompatible(
             kind.name, mate.base, base_port.port_type, mate.incoming, incoming_port.port_type
         ),
     )
-    .found(json!([kind.name, base_port.port_type, incoming_port.port_type]))
+    .found(json!([
+        kind.name,
+        base_port.port_type,
+        incoming_port.port_type
+    ]))
     .expected(json!({
         "mate_types_for_these_ports": types,
         "incoming_ports_for_this_mate_and_base": for_incoming,
@@ -268,6 +305,8 @@ fn incompatible(
             call.insert(field.to_owned(), value);
             d.next("mate", next)
         }
-        _ => d.hint("no port of one of these parts fits any port of the other under this mate type"),
+        _ => {
+            d.hint("no port of one of these parts fits any port of the other under this mate type")
+        }
     }
 }

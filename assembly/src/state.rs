@@ -63,7 +63,9 @@ impl State {
             parts.push(PartState {
                 part: part.id.clone(),
                 factory: part.factory.clone(),
-                placed_by: by.and_then(|m| resolved.mates.get(m)).map(|m| m.mate.id.clone()),
+                placed_by: by
+                    .and_then(|m| resolved.mates.get(m))
+                    .map(|m| m.mate.id.clone()),
                 origin_mm: origin,
             });
         }
@@ -84,5 +86,6 @@ impl State {
 /// When it holds a number that is not finite, which nothing read from JSON does.
 pub fn hash(spec: &Assembly) -> Result<String, Diagnostic> {
     use assemcad_model::diagnostic::Code;
-    spec.hash().map_err(|e| Diagnostic::error(Code::Internal, &spec.id, e.to_string()))
+    spec.hash()
+        .map_err(|e| Diagnostic::error(Code::Internal, &spec.id, e.to_string()))
 }

@@ -105,7 +105,9 @@ impl Store {
     pub fn make_folder(&self, id: &str) -> Result<(), Diagnostic> {
         check_name("assembly", id)?;
         let folder = format!("{ASSEMBLIES}/{id}");
-        self.root.create_dir_all(&folder).map_err(|e| file_failed(&folder, "made", &e))
+        self.root
+            .create_dir_all(&folder)
+            .map_err(|e| file_failed(&folder, "made", &e))
     }
 
     /// Reads a specification.
@@ -131,10 +133,16 @@ impl Store {
         let document: Document =
             serde_json::from_slice(&bytes).map_err(|e| damaged(format!("line {}", e.line())))?;
         if document.format != FORMAT {
-            return Err(damaged(format!("format {} instead of {FORMAT}", document.format)));
+            return Err(damaged(format!(
+                "format {} instead of {FORMAT}",
+                document.format
+            )));
         }
         if document.assembly.id != id {
-            return Err(damaged(format!("it is that of '{}'", clip(&document.assembly.id))));
+            return Err(damaged(format!(
+                "it is that of '{}'",
+                clip(&document.assembly.id)
+            )));
         }
         Ok(document.assembly)
     }
@@ -151,7 +159,10 @@ impl Store {
     /// When it cannot be written; what was there before is then untouched.
     pub fn save(&self, assembly: &Assembly) -> Result<(), Diagnostic> {
         check_name("assembly", &assembly.id)?;
-        let document = Document { format: FORMAT, assembly: assembly.clone() };
+        let document = Document {
+            format: FORMAT,
+            assembly: assembly.clone(),
+        };
         self.write_json(&specification(&assembly.id), &document)
     }
 
@@ -181,7 +192,10 @@ impl Store {
     pub fn write(&self, path: &str, bytes: &[u8]) -> Result<(), Diagnostic> {
         let inside = inside(path)?;
         let folder = inside.parent().unwrap_or(Path::new(""));
-        let name = inside.file_name().and_then(|n| n.to_str()).unwrap_or_default();
+        let name = inside
+            .file_name()
+            .and_then(|n| n.to_str())
+            .unwrap_or_default();
         let write = || -> io::Result<()> {
             let here = if folder.as_os_str().is_empty() {
                 self.root.try_clone()?
@@ -216,7 +230,9 @@ impl Store {
 
     fn unknown(&self, id: &str) -> Diagnostic {
         let names = self.names().unwrap_or_default();
-        let near = nearest(id, names.iter().map(String::as_str), 1).first().map(|n| (*n).to_owned());
+        let near = nearest(id, names.iter().map(String::as_str), 1)
+            .first()
+            .map(|n| (*n).to_owned());
         let d = Diagnostic::error(
             Code::AssemblyUnknown,
             "assembly",
@@ -249,29 +265,40 @@ pub fn check_name(place: &str, name: &str) -> Result<(), Diagnostic> {
     if name::is_valid(name) {
         return Ok(());
     }
-    Err(Diagnostic::error(Code::NameInvalid, place, "this is not a name".to_owned())
-        .found(name)
-        .expected(name::RULE))
+    Err(
+        Diagnostic::error(Code::NameInvalid, place, "this is not a name".to_owned())
+            .found(name)
+            .expected(name::RULE),
+    )
 }
 
 /// A path that names a file below the root, taken by its text alone. Links are the capability's matter.
 fn inside(path: &str) -> Result<&Path, Diagnostic> {
     let p = Path::new(path);
     let plain = p.components().all(|c| matches!(c, Component::Normal(_)));
-    if path.is_empty() || path.ends_with('/') || path.contains('\0') || path.len() > 1024 || !plain {
+    if path.is_empty() || path.ends_with('/') || path.contains('\0') || path.len() > 1024 || !plain
+    {
         return Err(outside(path));
     }
     Ok(p)
 }
 
 fn outside(path: &str) -> Diagnostic {
-    Diagnostic::error(Code::PathInvalid, "file", "files are written below the root folder only")
-        .found(path)
-        .expected("a relative path without '..' that no link leads out of the root folder")
+    Diagnostic::error(
+        Code::PathInvalid,
+        "file",
+        "files are written below the root folder only",
+    )
+    .found(path)
+    .expected("a relative path without '..' that no link leads out of the root folder")
 }
 
 fn file_failed(place: &str, done: &str, e: &io::Error) -> Diagnostic {
-    Diagnostic::error(Code::FileFailed, clip(place), format!("it could not be {done}: {}", e.kind()))
+    Diagnostic::error(
+        Code::FileFailed,
+        clip(place),
+        format!("it could not be {done}: {}", e.kind()),
+    )
 }
 
 #[cfg(test)]
@@ -305,13 +332,29 @@ mod tests {
         std::os::unix::fs::symlink(outer.path().join("elsewhere"), root.join("link")).unwrap();
         std::fs::write(outer.path().join("victim"), "safe").unwrap();
         std::os::unix::fs::symlink(outer.path().join("victim"), root.join("file.step")).unwrap();
-        for path in ["../a.step", "/tmp/a.step", "a/../../b.step", "link/a.step", "", "a/", "."] {
+        for path in [
+            "../a.step",
+            "/tmp/a.step",
+            "a/../../b.step",
+            "link/a.step",
+            "",
+            "a/",
+            ".",
+        ] {
             assert_eq!(code(store.write(path, b"x")), Code::PathInvalid, "{path}");
         }
         // A link in the file's own place is replaced, not followed.
         store.write("file.step", b"x").unwrap();
-        assert_eq!(std::fs::read_to_string(outer.path().join("victim")).unwrap(), "safe");
-        assert_eq!(std::fs::read_dir(outer.path().join("elsewhere")).unwrap().count(), 0);
+        assert_eq!(
+            std::fs::read_to_string(outer.path().join("victim")).unwrap(),
+            "safe"
+        );
+        assert_eq!(
+            std::fs::read_dir(outer.path().join("elsewhere"))
+                .unwrap()
+                .count(),
+            0
+        );
         store.write("a/b/c.step", b"x").unwrap();
         assert_eq!(std::fs::read(root.join("a/b/c.step")).unwrap(), b"x");
     }
@@ -322,7 +365,12 @@ mod tests {
         let store = Store::open(root.path()).unwrap();
         store.save(&Assembly::new("a", "")).unwrap();
         let path = root.path().join("assemblies/a/assembly.json");
-        for bad in ["", "{", r#"{"format":2,"assembly":{"id":"a"}}"#, r#"{"format":1,"assembly":{"id":"b"}}"#] {
+        for bad in [
+            "",
+            "{",
+            r#"{"format":2,"assembly":{"id":"a"}}"#,
+            r#"{"format":1,"assembly":{"id":"b"}}"#,
+        ] {
             std::fs::write(&path, bad).unwrap();
             assert_eq!(code(store.load("a")), Code::FileDamaged, "{bad}");
             assert_eq!(std::fs::read_to_string(&path).unwrap(), bad);

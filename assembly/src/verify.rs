@@ -49,19 +49,31 @@ impl Workshop {
         let resolved = resolve::assembly(&self.registry, &spec)?;
         if resolved.parts.is_empty() {
             return Err(vec![
-                Diagnostic::error(Code::AssemblyEmpty, "assembly", format!("'{id}' has no parts"))
-                    .next("list_factories", json!({})),
+                Diagnostic::error(
+                    Code::AssemblyEmpty,
+                    "assembly",
+                    format!("'{id}' has no parts"),
+                )
+                .next("list_factories", json!({})),
             ]);
         }
         let placed = place::assembly(&resolved).map_err(|d| vec![d])?;
-        let mut run = Run { findings: Vec::new(), checks: Vec::new() };
+        let mut run = Run {
+            findings: Vec::new(),
+            checks: Vec::new(),
+        };
         let (built, parts) = self.check_parts(&resolved, &placed, &mut run).await;
         let mates = check_mates(&resolved, &placed, &mut run);
-        let pairs = self.check_pairs(&resolved, &placed, &built, tau_mm3, &mut run).await;
+        let pairs = self
+            .check_pairs(&resolved, &placed, &built, tau_mm3, &mut run)
+            .await;
         check_connectivity(&spec, &resolved, &mut run);
         // Stable: within a verdict, the order of the checks and of the specification.
         run.findings.sort_by_key(|f| core::cmp::Reverse(f.verdict));
-        let verdict = run.checks.iter().fold(Verdict::Pass, |v, c| v.and(c.verdict));
+        let verdict = run
+            .checks
+            .iter()
+            .fold(Verdict::Pass, |v, c| v.and(c.verdict));
         let report = Report {
             format: FORMAT,
             assembly: id.to_owned(),
@@ -77,7 +89,9 @@ impl Workshop {
             mates,
             pairs,
         };
-        self.store.write_json(&report_file(id), &report).map_err(|d| vec![d])?;
+        self.store
+            .write_json(&report_file(id), &report)
+            .map_err(|d| vec![d])?;
         Ok(report)
     }
 
@@ -122,7 +136,12 @@ impl Workshop {
             verdict = verdict.and(fact.verdict);
             facts.push(fact);
         }
-        run.check("parts", verdict, facts.len(), "each part replayed to one valid closed solid of positive volume");
+        run.check(
+            "parts",
+            verdict,
+            facts.len(),
+            "each part replayed to one valid closed solid of positive volume",
+        );
         (built, facts)
     }
 
@@ -134,14 +153,22 @@ impl Workshop {
         tau: f64,
         run: &mut Run,
     ) -> Vec<PairFacts> {
-        let names = |i: usize| resolved.parts.get(i).map(|p| p.id.clone()).unwrap_or_default();
+        let names = |i: usize| {
+            resolved
+                .parts
+                .get(i)
+                .map(|p| p.id.clone())
+                .unwrap_or_default()
+        };
         let mut near = Vec::new();
         let mut cases = 0;
         let mut unknown = Vec::new();
         for i in 0..resolved.parts.len() {
             for j in i + 1..resolved.parts.len() {
                 // Parts without a place are in no pair; connectivity reports them.
-                let (Some(_), Some(_)) = (placed.of(i), placed.of(j)) else { continue };
+                let (Some(_), Some(_)) = (placed.of(i), placed.of(j)) else {
+                    continue;
+                };
                 cases += 1;
                 match (world_box(built, placed, i), world_box(built, placed, j)) {
                     (Some(a), Some(b)) if apart(&a, &b) => {}
@@ -152,12 +179,19 @@ impl Workshop {
         }
         let solid = |i: usize| {
             let (part, placement) = (resolved.parts.get(i)?, placed.of(i)?);
-            Some(PlacedSolid { recipe: part.made.recipe.clone(), placement: placement.into() })
+            Some(PlacedSolid {
+                recipe: part.made.recipe.clone(),
+                placement: placement.into(),
+            })
         };
         let results = join_all(near.iter().map(|&(i, j)| async move {
             match (solid(i), solid(j)) {
                 (Some(a), Some(b)) => self.common_volume(a, b, &names(i), &names(j)).await,
-                _ => Err(Diagnostic::error(Code::Internal, "pairs", "a part lost its place")),
+                _ => Err(Diagnostic::error(
+                    Code::Internal,
+                    "pairs",
+                    "a part lost its place",
+                )),
             }
         }))
         .await;
@@ -185,8 +219,18 @@ impl Workshop {
                 place,
                 "whether they overlap is not known: one of them could not be made",
             );
-            run.find(Verdict::Indeterminate, "interference", vec![a.clone(), b.clone()], d);
-            facts.push(PairFacts { a, b, verdict: Verdict::Indeterminate, common_volume_mm3: None });
+            run.find(
+                Verdict::Indeterminate,
+                "interference",
+                vec![a.clone(), b.clone()],
+                d,
+            );
+            facts.push(PairFacts {
+                a,
+                b,
+                verdict: Verdict::Indeterminate,
+                common_volume_mm3: None,
+            });
         }
         let how = format!(
             "common volume of every pair of placed parts whose boxes meet ({} of {cases}) above {tau} mm3, \
@@ -204,7 +248,11 @@ impl Workshop {
         name_a: &str,
         name_b: &str,
     ) -> Result<CommonVolume, Diagnostic> {
-        let job = Job::CommonVolume { a, b, samples: SAMPLES };
+        let job = Job::CommonVolume {
+            a: Box::new(a),
+            b: Box::new(b),
+            samples: SAMPLES,
+        };
         match self.pool.run(&job).await {
             Ok((Reply::CommonVolume(v), _)) => Ok(v),
             Ok(_) => Err(unexpected(&job)),
@@ -252,7 +300,14 @@ fn check_mates(resolved: &Resolved, placed: &Placed, run: &mut Run) -> Vec<MateF
     let mut facts = Vec::new();
     for m in &resolved.mates {
         let (residual, held) = match placed.residual(m) {
-            Ok(Some(r)) => (Some(r), if r.holds() { Verdict::Pass } else { Verdict::Fail }),
+            Ok(Some(r)) => (
+                Some(r),
+                if r.holds() {
+                    Verdict::Pass
+                } else {
+                    Verdict::Fail
+                },
+            ),
             Ok(None) | Err(_) => (None, Verdict::Indeterminate),
         };
         let parts = vec![m.mate.base.part.clone(), m.mate.incoming.part.clone()];
@@ -264,7 +319,10 @@ fn check_mates(resolved: &Resolved, placed: &Placed, run: &mut Run) -> Vec<MateF
                     place,
                     format!(
                         "'{}' and '{}' are {} mm and {} degrees from where the mate has them",
-                        m.mate.base, m.mate.incoming, rounded(r.distance_mm), rounded(r.angle_deg)
+                        m.mate.base,
+                        m.mate.incoming,
+                        rounded(r.distance_mm),
+                        rounded(r.angle_deg)
                     ),
                 )
                 .hint("change the options of the mates that placed these parts"),
@@ -303,7 +361,12 @@ fn check_mates(resolved: &Resolved, placed: &Placed, run: &mut Run) -> Vec<MateF
             }),
         });
     }
-    run.check("mates", verdict, facts.len(), "residual of every mate in the directions that it constrains");
+    run.check(
+        "mates",
+        verdict,
+        facts.len(),
+        "residual of every mate in the directions that it constrains",
+    );
     facts
 }
 
@@ -340,12 +403,23 @@ fn check_connectivity(spec: &Assembly, resolved: &Resolved, run: &mut Run) {
             islands.push(island);
         }
     }
-    let verdict = if islands.is_empty() { Verdict::Pass } else { Verdict::Fail };
+    let verdict = if islands.is_empty() {
+        Verdict::Pass
+    } else {
+        Verdict::Fail
+    };
     let root = spec.root().unwrap_or_default();
     for island in islands {
-        let names: Vec<String> =
-            island.iter().filter_map(|i| resolved.parts.get(*i)).map(|p| p.id.clone()).collect();
-        let listed = names.iter().map(|n| format!("'{n}'")).collect::<Vec<_>>().join(", ");
+        let names: Vec<String> = island
+            .iter()
+            .filter_map(|i| resolved.parts.get(*i))
+            .map(|p| p.id.clone())
+            .collect();
+        let listed = names
+            .iter()
+            .map(|n| format!("'{n}'"))
+            .collect::<Vec<_>>()
+            .join(", ");
         let d = Diagnostic::error(
             Code::Unconnected,
             format!("part {listed}"),
@@ -354,7 +428,12 @@ fn check_connectivity(spec: &Assembly, resolved: &Resolved, run: &mut Run) {
         .hint("join it with the mate tool, or take it away with the remove tool");
         run.find(Verdict::Fail, "connectivity", names, d);
     }
-    run.check("connectivity", verdict, nodes.len(), "every part reached from the root over mates");
+    run.check(
+        "connectivity",
+        verdict,
+        nodes.len(),
+        "every part reached from the root over mates",
+    );
 }
 
 /// What is known of a pair after its common volume was asked for.
@@ -375,8 +454,7 @@ fn judge(
     let (verdict, volume, values, d) = match result {
         Err(d) => (Verdict::Indeterminate, None, Map::new(), d),
         Ok(v) => {
-            let estimate =
-                v.sampled_volume * f64::from(v.inside) / f64::from(v.samples.max(1));
+            let estimate = v.sampled_volume * f64::from(v.inside) / f64::from(v.samples.max(1));
             let mut values = Map::new();
             values.insert("common_volume_mm3".to_owned(), json!(rounded(v.volume)));
             values.insert("estimate_mm3".to_owned(), json!(rounded(estimate)));
@@ -393,11 +471,17 @@ fn judge(
                 )
                 .found(rounded(v.volume))
                 .expected(format!("at most {tau} mm3"))
-                .hint("change the parameters of one part, or the offsets of the mate that places it");
+                .hint(
+                    "change the parameters of one part, or the offsets of the mate that places it",
+                );
                 (Verdict::Fail, Some(v.volume), values, d)
             // A volume that is no number passes no comparison, and lands here.
             } else if v.volume <= tau && estimate <= tau && v.warnings.is_empty() {
-                return Judged { verdict: Verdict::Pass, volume: Some(v.volume), finding: None };
+                return Judged {
+                    verdict: Verdict::Pass,
+                    volume: Some(v.volume),
+                    finding: None,
+                };
             } else if v.volume <= tau && estimate <= tau {
                 let d = Diagnostic::error(
                     Code::Indeterminate,
@@ -431,7 +515,11 @@ fn judge(
         values,
         diagnostic: d,
     };
-    Judged { verdict, volume, finding: Some(finding) }
+    Judged {
+        verdict,
+        volume,
+        finding: Some(finding),
+    }
 }
 
 /// The names of the mates between two parts.
@@ -439,7 +527,12 @@ fn joining(resolved: &Resolved, i: usize, j: usize) -> Vec<String> {
     let between = |m: &&resolve::ResolvedMate| {
         (m.base, m.incoming) == (i, j) || (m.base, m.incoming) == (j, i)
     };
-    resolved.mates.iter().filter(between).map(|m| m.mate.id.clone()).collect()
+    resolved
+        .mates
+        .iter()
+        .filter(between)
+        .map(|m| m.mate.id.clone())
+        .collect()
 }
 
 type Box3 = ([f64; 3], [f64; 3]);
@@ -465,7 +558,9 @@ fn world_box(built: &[Option<Built>], placed: &Placed, i: usize) -> Option<Box3>
 
 fn apart((a_min, a_max): &Box3, (b_min, b_max): &Box3) -> bool {
     let gap = |min: &[f64; 3], max: &[f64; 3]| {
-        min.iter().zip(max).any(|(lo, hi)| *lo > *hi + BOX_MARGIN_MM)
+        min.iter()
+            .zip(max)
+            .any(|(lo, hi)| *lo > *hi + BOX_MARGIN_MM)
     };
     gap(a_min, b_max) || gap(b_min, a_max)
 }
@@ -500,9 +595,15 @@ mod tests {
         // The boolean says nothing, 30 of 1000 points say 15 mm3.
         assert_eq!(verdict(0.0, 30), Verdict::Indeterminate);
         assert_eq!(verdict(f64::NAN, 0), Verdict::Indeterminate);
-        assert_eq!(warned(0.0, 0, vec!["bad face".to_owned()]), Verdict::Indeterminate);
+        assert_eq!(
+            warned(0.0, 0, vec!["bad face".to_owned()]),
+            Verdict::Indeterminate
+        );
         let lost = Diagnostic::error(Code::WorkerCrashed, "", "");
-        assert_eq!(judge("a", "b", Err(lost), 0.001, &[]).verdict, Verdict::Indeterminate);
+        assert_eq!(
+            judge("a", "b", Err(lost), 0.001, &[]).verdict,
+            Verdict::Indeterminate
+        );
     }
 
     #[test]

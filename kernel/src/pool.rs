@@ -11,7 +11,6 @@ use std::process::{ExitStatus, Stdio};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-use serde::Serialize;
 use tokio::io::{AsyncReadExt, AsyncWriteExt};
 use tokio::net::UnixStream;
 use tokio::process::{Child, Command};
@@ -269,9 +268,9 @@ enum Outcome {
     Lost { started: bool, failure: Failure },
 }
 
-async fn converse<'a, T: Serialize>(
-    worker: &'a mut Worker,
-    job: &T,
+async fn converse(
+    worker: &mut Worker,
+    job: &Job,
     doing: &mut Option<Doing>,
 ) -> std::io::Result<Result<(Reply, Vec<u8>), Failure>> {
     worker

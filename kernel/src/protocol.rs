@@ -34,9 +34,9 @@ pub enum Job {
     /// The volume that two placed solids have in common, and an independent estimate of it.
     CommonVolume {
         /// First solid.
-        a: Placed,
+        a: Box<Placed>,
         /// Second solid.
-        b: Placed,
+        b: Box<Placed>,
         /// How many points the estimate takes.
         samples: u32,
     },

@@ -48,7 +48,11 @@ const PAUSE: Duration = Duration::from_millis(100);
 
 impl<R> PatientReader<R> {
     pub(crate) fn new(inner: R, running: Running) -> Self {
-        Self { inner, running, waiting: None }
+        Self {
+            inner,
+            running,
+            waiting: None,
+        }
     }
 }
 
@@ -68,7 +72,9 @@ impl<R: AsyncRead + Unpin> AsyncRead for PatientReader<R> {
             }
         }
         loop {
-            let Some(pause) = self.waiting.as_mut() else { return Poll::Ready(Ok(())) };
+            let Some(pause) = self.waiting.as_mut() else {
+                return Poll::Ready(Ok(()));
+            };
             if pause.as_mut().poll(cx).is_pending() {
                 return Poll::Pending;
             }

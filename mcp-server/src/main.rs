@@ -65,7 +65,10 @@ struct Worker {
 fn main() -> ExitCode {
     let filter = tracing_subscriber::EnvFilter::try_from_env("ASSEMCAD_LOG")
         .unwrap_or_else(|_| tracing_subscriber::EnvFilter::new("warn"));
-    tracing_subscriber::fmt().with_writer(std::io::stderr).with_env_filter(filter).init();
+    tracing_subscriber::fmt()
+        .with_writer(std::io::stderr)
+        .with_env_filter(filter)
+        .init();
     let done = match Command::parse().action {
         Action::Serve(options) => serve(options),
         Action::Worker(options) => {
@@ -94,7 +97,10 @@ fn serve(options: Serve) -> Result<(), String> {
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let program = std::env::current_exe().map_err(|e| format!("where this program is: {e}"))?;
     std::fs::create_dir_all(&options.root).map_err(|e| format!("--root: {e}"))?;
-    let root = options.root.canonicalize().map_err(|e| format!("--root: {e}"))?;
+    let root = options
+        .root
+        .canonicalize()
+        .map_err(|e| format!("--root: {e}"))?;
     let pool = Pool::new(Config {
         program,
         cache: Some(root.join(".assemcad").join("cache")),

@@ -44,7 +44,10 @@ pub(crate) async fn stdio(workshop: Workshop) -> Result<(), String> {
         .serve((PatientReader::new(input, running), output))
         .await
         .map_err(|e| format!("the session did not start: {e}"))?;
-    service.waiting().await.map_err(|e| format!("the session broke off: {e}"))?;
+    service
+        .waiting()
+        .await
+        .map_err(|e| format!("the session broke off: {e}"))?;
     Ok(())
 }
 
@@ -60,7 +63,12 @@ impl Server {
         let offers = assemcad_tools::all();
         let tools = offers.iter().map(tool).collect();
         let offers = offers.into_iter().map(|o| (o.name, o)).collect();
-        Self { workshop: Arc::new(workshop), offers: Arc::new(offers), tools, running }
+        Self {
+            workshop: Arc::new(workshop),
+            offers: Arc::new(offers),
+            tools,
+            running,
+        }
     }
 }
 
@@ -72,10 +80,14 @@ fn tool(offer: &Offer) -> Tool {
         Some(true),
         Some(false),
     );
-    Tool::new(offer.name, offer.description, Arc::new(offer.input_schema.clone()))
-        .with_title(offer.title)
-        .with_raw_output_schema(Arc::new(offer.output_schema.clone()))
-        .with_annotations(annotations)
+    Tool::new(
+        offer.name,
+        offer.description,
+        Arc::new(offer.input_schema.clone()),
+    )
+    .with_title(offer.title)
+    .with_raw_output_schema(Arc::new(offer.output_schema.clone()))
+    .with_annotations(annotations)
 }
 
 impl ServerHandler for Server {
@@ -157,6 +169,10 @@ impl Server {
 
 fn broken(tool: &str, e: &tokio::task::JoinError) -> Diagnostic {
     tracing::error!("{tool}: {e}");
-    Diagnostic::error(Code::Internal, tool, "a fault of the server itself; it is in the server's log")
-        .hint("the assemblies on disk are as they were before this call; other calls are not affected")
+    Diagnostic::error(
+        Code::Internal,
+        tool,
+        "a fault of the server itself; it is in the server's log",
+    )
+    .hint("the assemblies on disk are as they were before this call; other calls are not affected")
 }

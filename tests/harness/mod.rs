@@ -47,7 +47,8 @@ impl Session {
         if hello.pointer("/result/serverInfo/name") != Some(&json!("assemcad")) {
             return Err(format!("not our server: {hello}"));
         }
-        session.send(&json!({"jsonrpc": "2.0", "method": "notifications/initialized"}).to_string())?;
+        session
+            .send(&json!({"jsonrpc": "2.0", "method": "notifications/initialized"}).to_string())?;
         Ok(session)
     }
 
@@ -74,7 +75,13 @@ impl Session {
                 }
             }
         });
-        Ok(Self { child, input, lines, waiting: BTreeMap::new(), next: 1 })
+        Ok(Self {
+            child,
+            input,
+            lines,
+            waiting: BTreeMap::new(),
+            next: 1,
+        })
     }
 
     /// The server's process.
@@ -85,7 +92,9 @@ impl Session {
     /// Sends a line as it is.
     pub fn send(&mut self, line: &str) -> Result<(), String> {
         let input = self.input.as_mut().ok_or("the input is closed")?;
-        input.write_all(line.as_bytes()).map_err(|e| e.to_string())?;
+        input
+            .write_all(line.as_bytes())
+            .map_err(|e| e.to_string())?;
         input.write_all(b"\n").map_err(|e| e.to_string())?;
         input.flush().map_err(|e| e.to_string())
     }
@@ -136,10 +145,18 @@ impl Session {
     /// Waits for a tool's answer.
     pub fn wait_call(&mut self, id: u64) -> Result<Answer, String> {
         let answer = self.wait(id)?;
-        let result = answer.get("result").ok_or_else(|| format!("no result: {answer}"))?;
+        let result = answer
+            .get("result")
+            .ok_or_else(|| format!("no result: {answer}"))?;
         Ok(Answer {
-            is_error: result.get("isError").and_then(Value::as_bool).unwrap_or(false),
-            content: result.get("structuredContent").cloned().unwrap_or(Value::Null),
+            is_error: result
+                .get("isError")
+                .and_then(Value::as_bool)
+                .unwrap_or(false),
+            content: result
+                .get("structuredContent")
+                .cloned()
+                .unwrap_or(Value::Null),
         })
     }
 
@@ -179,9 +196,15 @@ impl Drop for Session {
 
 /// A line as a JSON-RPC message.
 fn rpc(line: &str) -> Result<Value, String> {
-    let message: Value =
-        serde_json::from_str(line).map_err(|e| format!("not JSON on standard output: {line:?}: {e}"))?;
+    let message: Value = serde_json::from_str(line)
+        .map_err(|e| format!("not JSON on standard output: {line:?}: {e}"))?;
     let is_rpc = message.get("jsonrpc") == Some(&json!("2.0"))
-        && ["method", "result", "error"].iter().any(|k| message.get(k).is_some());
-    if is_rpc { Ok(message) } else { Err(format!("not JSON-RPC on standard output: {line:?}")) }
+        && ["method", "result", "error"]
+            .iter()
+            .any(|k| message.get(k).is_some());
+    if is_rpc {
+        Ok(message)
+    } else {
+        Err(format!("not JSON-RPC on standard output: {line:?}"))
+    }
 }

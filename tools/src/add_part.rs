@@ -67,7 +67,11 @@ impl Tool for AddPart {
     const EFFECT: Effect = Effect::Adds;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
-        let part = Part { id: a.part, factory: a.factory, params: a.params };
+        let part = Part {
+            id: a.part,
+            factory: a.factory,
+            params: a.params,
+        };
         let added = workshop.add_part(&a.assembly, part).await?;
         let short = |p: &assemcad_model::ports::Port| PortShort {
             name: p.name.clone(),

@@ -17,14 +17,25 @@ pub(crate) fn check(
     schema: &Map<String, Value>,
     given: &Value,
 ) -> Result<(), Faults> {
-    let faults: Faults = validator.iter_errors(given).map(|e| fault(&e, schema)).collect();
-    if faults.is_empty() { Ok(()) } else { Err(faults) }
+    let faults: Faults = validator
+        .iter_errors(given)
+        .map(|e| fault(&e, schema))
+        .collect();
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(faults)
+    }
 }
 
 /// The diagnostic for arguments that pass the schema and yet cannot be read.
 pub(crate) fn unreadable(tool: &str) -> Diagnostic {
-    Diagnostic::error(Code::ArgumentInvalid, "arguments", "the arguments could not be read")
-        .hint(format!("compare them with the input schema of {tool}"))
+    Diagnostic::error(
+        Code::ArgumentInvalid,
+        "arguments",
+        "the arguments could not be read",
+    )
+    .hint(format!("compare them with the input schema of {tool}"))
 }
 
 /// The diagnostic for an answer that is no JSON: a fault of the server.
@@ -67,28 +78,42 @@ fn fault(error: &ValidationError<'_>, schema: &Map<String, Value>) -> Diagnostic
             )
             .found(json!(listed))
             .expected(json!(names));
-            match unexpected.first().and_then(|n| nearest(n, names, 1).first().copied()) {
+            match unexpected
+                .first()
+                .and_then(|n| nearest(n, names, 1).first().copied())
+            {
                 Some(near) => d.hint(format!("did you mean '{near}'?")),
                 None => d,
             }
         }
         Kind::Type { .. } => {
             let expected = at(schema, &place).and_then(|s| s.get("type")).cloned();
-            wrong("this is of the wrong type".to_owned(), expected.unwrap_or_else(|| json!("an object")))
+            wrong(
+                "this is of the wrong type".to_owned(),
+                expected.unwrap_or_else(|| json!("an object")),
+            )
         }
-        Kind::Enum { options } => {
-            wrong("this is none of the possible values".to_owned(), (**options).clone())
-        }
+        Kind::Enum { options } => wrong(
+            "this is none of the possible values".to_owned(),
+            (**options).clone(),
+        ),
         Kind::Minimum { limit } => wrong("this is too small".to_owned(), json!({"minimum": limit})),
-        Kind::ExclusiveMinimum { limit } => {
-            wrong("this is too small".to_owned(), json!({"greater_than": limit}))
-        }
+        Kind::ExclusiveMinimum { limit } => wrong(
+            "this is too small".to_owned(),
+            json!({"greater_than": limit}),
+        ),
         Kind::Maximum { limit } => wrong("this is too large".to_owned(), json!({"maximum": limit})),
-        Kind::MaxLength { limit } => wrong("this is too long".to_owned(), json!({"characters": limit})),
-        Kind::Pattern { pattern } => {
-            wrong("this is not written as it should be".to_owned(), json!({"pattern": pattern}))
+        Kind::MaxLength { limit } => {
+            wrong("this is too long".to_owned(), json!({"characters": limit}))
         }
-        _ => wrong("this does not fit the tool's schema".to_owned(), json!(at(schema, &place))),
+        Kind::Pattern { pattern } => wrong(
+            "this is not written as it should be".to_owned(),
+            json!({"pattern": pattern}),
+        ),
+        _ => wrong(
+            "this does not fit the tool's schema".to_owned(),
+            json!(at(schema, &place)),
+        ),
     }
 }
 
@@ -106,15 +131,29 @@ fn place(pointer: &str) -> String {
     if pointer.is_empty() {
         return "arguments".to_owned();
     }
-    clip(&pointer.trim_start_matches('/').replace('/', ".").replace("~1", "/").replace("~0", "~"))
+    clip(
+        &pointer
+            .trim_start_matches('/')
+            .replace('/', ".")
+            .replace("~1", "/")
+            .replace("~0", "~"),
+    )
 }
 
 fn join(place: &str, name: &str) -> String {
-    if place == "arguments" { name.to_owned() } else { format!("{place}.{name}") }
+    if place == "arguments" {
+        name.to_owned()
+    } else {
+        format!("{place}.{name}")
+    }
 }
 
 fn quoted(names: &[String]) -> String {
-    names.iter().map(|n| format!("'{n}'")).collect::<Vec<_>>().join(", ")
+    names
+        .iter()
+        .map(|n| format!("'{n}'"))
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 #[cfg(test)]
@@ -135,7 +174,11 @@ mod tests {
         }));
         let mut places: Vec<&str> = found.iter().map(|(p, _)| p.as_str()).collect();
         places.sort_unstable();
-        assert_eq!(places, ["arguments", "assembly", "base", "mate_type", "u_mm"], "{found:?}");
+        assert_eq!(
+            places,
+            ["arguments", "assembly", "base", "mate_type", "u_mm"],
+            "{found:?}"
+        );
     }
 
     #[test]

@@ -75,7 +75,11 @@ impl From<&Port> for PortAnswer {
             name: port.name.clone(),
             port_type: port.port_type,
             frame: port.frame,
-            params: port.params.iter().map(|(k, v)| (k.clone(), Value::from(*v))).collect(),
+            params: port
+                .params
+                .iter()
+                .map(|(k, v)| (k.clone(), Value::from(*v)))
+                .collect(),
             mates_with,
         }
     }
@@ -92,8 +96,13 @@ impl Tool for DescribeFactory {
     const EFFECT: Effect = Effect::Reads;
 
     async fn run(workshop: &Workshop, arguments: Arguments) -> Result<Answer, Faults> {
-        let factory = workshop.registry.get(&arguments.factory).map_err(|d| vec![*d])?;
-        let made = workshop.registry.build(&arguments.factory, &arguments.params)?;
+        let factory = workshop
+            .registry
+            .get(&arguments.factory)
+            .map_err(|d| vec![*d])?;
+        let made = workshop
+            .registry
+            .build(&arguments.factory, &arguments.params)?;
         Ok(Answer {
             factory: arguments.factory.clone(),
             doc: factory.doc().to_owned(),

@@ -46,6 +46,9 @@ impl Tool for GetAssembly {
             Detail::Concise => None,
             Detail::Full => Some(workshop.store.load(&a.assembly).map_err(|d| vec![d])?),
         };
-        Ok(Answer { state, specification })
+        Ok(Answer {
+            state,
+            specification,
+        })
     }
 }

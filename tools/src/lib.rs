@@ -132,7 +132,10 @@ pub fn all() -> Vec<Offer> {
 /// The schema of a type with everything inlined: some clients do not follow references.
 fn schema<T: JsonSchema>() -> Map<String, Value> {
     let generator = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true);
-    let mut schema = generator.into_generator().into_root_schema_for::<T>().to_value();
+    let mut schema = generator
+        .into_generator()
+        .into_root_schema_for::<T>()
+        .to_value();
     match schema.as_object_mut() {
         Some(object) => {
             object.remove("$schema");
@@ -165,7 +168,11 @@ mod tests {
         for tool in all() {
             let name = tool.name;
             assert!(name.len() <= 32 && name.chars().all(|c| c.is_ascii_lowercase() || c == '_'));
-            assert!(tool.description.len() <= 600, "{name}: {}", tool.description.len());
+            assert!(
+                tool.description.len() <= 600,
+                "{name}: {}",
+                tool.description.len()
+            );
             assert!(tool.validator.is_some(), "{name}");
             for schema in [&tool.input_schema, &tool.output_schema] {
                 assert_eq!(schema["type"], "object", "{name}");
@@ -174,8 +181,15 @@ mod tests {
                 }
             }
             assert_eq!(tool.input_schema["additionalProperties"], false, "{name}");
-            for (field, schema) in tool.input_schema["properties"].as_object().into_iter().flatten() {
-                assert!(schema.get("description").is_some(), "{name}.{field} has no description");
+            for (field, schema) in tool.input_schema["properties"]
+                .as_object()
+                .into_iter()
+                .flatten()
+            {
+                assert!(
+                    schema.get("description").is_some(),
+                    "{name}.{field} has no description"
+                );
             }
             assert!(tool.effect != Effect::Removes || name == "remove");
         }

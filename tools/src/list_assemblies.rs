@@ -28,6 +28,8 @@ impl Tool for ListAssemblies {
     const EFFECT: Effect = Effect::Reads;
 
     async fn run(workshop: &Workshop, Arguments {}: Arguments) -> Result<Answer, Faults> {
-        Ok(Answer { assemblies: workshop.store.names().map_err(|d| vec![d])? })
+        Ok(Answer {
+            assemblies: workshop.store.names().map_err(|d| vec![d])?,
+        })
     }
 }

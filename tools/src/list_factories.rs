@@ -44,17 +44,24 @@ impl Tool for ListFactories {
     const EFFECT: Effect = Effect::Reads;
 
     async fn run(workshop: &Workshop, arguments: Arguments) -> Result<Answer, Faults> {
-        let wanted = workshop.registry.iter().filter(|f| f.name().contains(&arguments.name_contains));
+        let wanted = workshop
+            .registry
+            .iter()
+            .filter(|f| f.name().contains(&arguments.name_contains));
         let entry = |factory: &Factory| Entry {
             factory: factory.name().to_owned(),
             summary: first_sentence(factory.doc()).to_owned(),
             params: factory.params().iter().map(|p| p.name.clone()).collect(),
         };
-        Ok(Answer { factories: wanted.map(entry).collect() })
+        Ok(Answer {
+            factories: wanted.map(entry).collect(),
+        })
     }
 }
 
 fn first_sentence(doc: &str) -> &str {
     let doc = doc.trim();
-    doc.split_once(". ").map_or(doc, |(first, _)| first).trim_end_matches('.')
+    doc.split_once(". ")
+        .map_or(doc, |(first, _)| first)
+        .trim_end_matches('.')
 }

@@ -80,7 +80,9 @@ impl Arguments {
             ("direction", self.direction.map(|v| json!(v))),
             ("alpha_deg", self.alpha_deg.map(|v| json!(v))),
         ];
-        all.into_iter().filter_map(|(name, v)| Some((name.to_owned(), v?))).collect()
+        all.into_iter()
+            .filter_map(|(name, v)| Some((name.to_owned(), v?)))
+            .collect()
     }
 }
 
@@ -103,7 +105,13 @@ impl Tool for MakeMate {
                 return Err(base.err().into_iter().chain(incoming.err()).collect());
             }
         };
-        let mate = Mate { id: a.id, mate_type: a.mate_type, base, incoming, options };
+        let mate = Mate {
+            id: a.id,
+            mate_type: a.mate_type,
+            base,
+            incoming,
+            options,
+        };
         let mated = workshop.mate(&a.assembly, mate).await?;
         Ok(Answer {
             changed: mated.change == Change::Made,
@@ -119,11 +127,14 @@ impl Tool for MakeMate {
 
 fn end(text: &str, place: &str) -> Result<End, Diagnostic> {
     match text.split_once(':') {
-        Some((part, port)) if !part.is_empty() && !port.is_empty() => {
-            Ok(End { part: part.to_owned(), port: port.to_owned() })
-        }
-        _ => Err(Diagnostic::error(Code::ArgumentInvalid, place, "this names no port")
-            .found(text)
-            .expected("part:port, such as 'plate:top_face'")),
+        Some((part, port)) if !part.is_empty() && !port.is_empty() => Ok(End {
+            part: part.to_owned(),
+            port: port.to_owned(),
+        }),
+        _ => Err(
+            Diagnostic::error(Code::ArgumentInvalid, place, "this names no port")
+                .found(text)
+                .expected("part:port, such as 'plate:top_face'"),
+        ),
     }
 }

@@ -41,6 +41,9 @@ impl Tool for NewAssembly {
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
         let (change, state) = workshop.new_assembly(&a.assembly, &a.description).await?;
-        Ok(Answer { changed: change == Change::Made, state })
+        Ok(Answer {
+            changed: change == Change::Made,
+            state,
+        })
     }
 }
