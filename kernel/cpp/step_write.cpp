@@ -62,8 +62,8 @@ void paint(const Handle(XSControl_WorkSession)& session, Handle(StepData_StepMod
            const std::vector<Painted>& painted) {
   for (const Painted& part : painted) {
     STEPConstruct_Styles styles(session);
-    const Handle(StepRepr_RepresentationItem) item = Handle(StepRepr_RepresentationItem)::DownCast(
-        STEPConstruct::FindEntity(styles.FinderProcess(), part.shape));
+    const Handle(StepRepr_RepresentationItem) item =
+        STEPConstruct::FindEntity(styles.FinderProcess(), part.shape);
     const Handle(StepRepr_RepresentationContext) context = styles.FindContext(part.shape);
     if (item.IsNull() || context.IsNull()) {
       throw Invalid("a solid could not be coloured");
