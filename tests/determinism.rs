@@ -91,3 +91,23 @@ fn the_order_of_arguments_does_not_matter() {
         plain
     );
 }
+
+#[test]
+fn a_part_of_many_operations_is_the_same_in_every_process() {
+    // OCCT keeps shapes in maps keyed by addresses, and addresses differ from process to process.
+    let mut files = BTreeSet::new();
+    for workers in ["1", "2", "1", "2", "1", "2"] {
+        let mut kit = Kit::with(&["--workers", workers]);
+        kit.new_assembly("a");
+        if workers == "2" {
+            kit.part("a", "extra", "bearing.ball", json!({}));
+            kit.ok(
+                "remove",
+                json!({"assembly": "a", "kind": "part", "name": "extra"}),
+            );
+        }
+        kit.part("a", "p", "test.busy", json!({}));
+        files.insert(export(&mut kit, "a"));
+    }
+    assert_eq!(files.len(), 1);
+}
