@@ -177,6 +177,14 @@ fn a_part_placed_from_the_other_side() {
         "base": "root:top", "incoming": "b:bottom",
     }));
     assert_eq!(second["state"]["unplaced"], json!([]));
+    // Both got their places by this one mate: 20 mm on 30, 10 mm on that, all centred on (15, 15).
+    assert_eq!(
+        second["placed"],
+        json!([
+            {"part": "b", "box_min_mm": [5.0, 5.0, 30.0], "box_max_mm": [25.0, 25.0, 50.0]},
+            {"part": "c", "box_min_mm": [10.0, 10.0, 50.0], "box_max_mm": [20.0, 20.0, 60.0]},
+        ])
+    );
     let c = &second["state"]["parts"][2];
     assert_eq!(c["placed_by"], "c_on_b");
     // Centred on the root (15, 15), 30 + 20 high; the cube's own corner is 5 off its centre.

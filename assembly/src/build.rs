@@ -2,6 +2,8 @@
 
 use assemcad_kernel::protocol::{Built, Failure, FailureKind, Job, Reply};
 use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::frame::Placement;
+use assemcad_model::report::rounded;
 
 use crate::Workshop;
 use crate::resolve::ResolvedPart;
@@ -22,6 +24,34 @@ impl Workshop {
             Err(failure) => Err(part_failure(&failure, part)),
         }
     }
+}
+
+/// Smallest and largest corner of a box, in mm.
+pub type Box3 = ([f64; 3], [f64; 3]);
+
+/// A box in the world around a placed part: the box of its own box's corners.
+#[must_use]
+pub fn box_of(b: &Built, at: &Placement) -> Box3 {
+    let (mut min, mut max) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+    for x in [b.min[0], b.max[0]] {
+        for y in [b.min[1], b.max[1]] {
+            for z in [b.min[2], b.max[2]] {
+                for (k, v) in at.point([x, y, z]).into_iter().enumerate() {
+                    if let (Some(lo), Some(hi)) = (min.get_mut(k), max.get_mut(k)) {
+                        *lo = lo.min(v);
+                        *hi = hi.max(v);
+                    }
+                }
+            }
+        }
+    }
+    (min, max)
+}
+
+/// A box as it is reported.
+#[must_use]
+pub fn reported((min, max): &Box3) -> [[f64; 3]; 2] {
+    [min.map(rounded), max.map(rounded)]
 }
 
 /// A failure in making a part.

@@ -8,7 +8,9 @@ use assemcad_model::report::rounded;
 use assemcad_model::spec::{Assembly, Mate, Part};
 use serde_json::json;
 
-use crate::resolve::{self, ResolvedMate, ResolvedPart};
+use crate::build::{Box3, box_of};
+use crate::place::Placed;
+use crate::resolve::{self, Resolved, ResolvedMate, ResolvedPart};
 use crate::state::State;
 use crate::store::check_name;
 use crate::{Faults, Workshop, place};
@@ -44,6 +46,8 @@ pub struct Mated {
     pub mate: ResolvedMate,
     /// How far it is from holding; none while one of its parts has no place.
     pub residual: Option<Residual>,
+    /// The parts that got a place by it, each with a box around it in the world.
+    pub placed: Vec<(String, Box3)>,
     /// The assembly now.
     pub state: State,
 }
@@ -169,18 +173,40 @@ impl Workshop {
             spec.mates.push(mate);
         }
         let after = resolve::assembly(&self.registry, &spec)?;
-        let placed = place::assembly(&after).map_err(one)?;
-        let residual = placed.residual(&resolved).map_err(one)?;
+        let now = place::assembly(&after).map_err(one)?;
+        let residual = now.residual(&resolved).map_err(one)?;
         if let Some(r) = residual.filter(|r| change == Change::Made && !r.holds()) {
             return Err(one(does_not_hold(&resolved, &r)));
         }
         let state = self.commit(&spec, change)?;
+        let placed = self.newly_placed(&before, &after, &now).await?;
         Ok(Mated {
             change,
             mate: resolved,
             residual,
+            placed,
             state,
         })
+    }
+
+    /// The parts that have a place now and had none before, with their boxes in the world.
+    async fn newly_placed(
+        &self,
+        before: &Resolved,
+        after: &Resolved,
+        now: &Placed,
+    ) -> Result<Vec<(String, Box3)>, Faults> {
+        let then = place::assembly(before).map_err(one)?;
+        let mut boxes = Vec::new();
+        for (i, part) in after.parts.iter().enumerate() {
+            if let (None, Some(at)) = (then.of(i), now.of(i)) {
+                // The mate is accepted and on disk: a lost worker must not make it look refused.
+                if let Ok(built) = self.build(part).await {
+                    boxes.push((part.id.clone(), box_of(&built, &at)));
+                }
+            }
+        }
+        Ok(boxes)
     }
 
     /// Removes a mate.
@@ -287,5 +313,10 @@ fn does_not_hold(m: &ResolvedMate, r: &Residual) -> Diagnostic {
     .expected(json!({
         "distance_mm": Residual::MAX_DISTANCE_MM, "angle_deg": Residual::MAX_ANGLE_DEG,
     }))
-    .hint("change the options of the mates that placed these parts, or remove one of them")
+    .hint(if r.angle_deg > 179.999 && r.distance_mm <= Residual::MAX_DISTANCE_MM {
+        "the axes look the wrong way round: give this mate the other 'direction', or the one that \
+         placed the part if that is what is turned over"
+    } else {
+        "change the options of the mates that placed these parts, or remove one of them"
+    })
 }

@@ -13,7 +13,7 @@ use petgraph::graph::{NodeIndex, UnGraph};
 use petgraph::visit::Bfs;
 use serde_json::{Map, Value, json};
 
-use crate::build::{diagnostic, unexpected};
+use crate::build::{Box3, box_of, diagnostic, reported, unexpected};
 use crate::place::{self, Placed};
 use crate::resolve::{self, Resolved};
 use crate::state::hash;
@@ -114,6 +114,7 @@ impl Workshop {
                 verdict: Verdict::Pass,
                 volume_mm3: None,
                 centre_mm: None,
+                box_mm: None,
                 placement: placement.map(Into::into),
             };
             match result {
@@ -121,6 +122,7 @@ impl Workshop {
                     fact.recipe_sha256 = Some(b.recipe.clone());
                     fact.volume_mm3 = Some(rounded(b.volume));
                     fact.centre_mm = placement.map(|p| p.point(b.centre).map(rounded));
+                    fact.box_mm = placement.map(|p| reported(&box_of(&b, &p)));
                     built.push(Some(b));
                 }
                 Err(d) => {
@@ -535,25 +537,8 @@ fn joining(resolved: &Resolved, i: usize, j: usize) -> Vec<String> {
         .collect()
 }
 
-type Box3 = ([f64; 3], [f64; 3]);
-
-/// A box in the world around a placed part: the box of its own box's corners.
 fn world_box(built: &[Option<Built>], placed: &Placed, i: usize) -> Option<Box3> {
-    let (b, p) = (built.get(i)?.as_ref()?, placed.of(i)?);
-    let (mut min, mut max) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-    for x in [b.min[0], b.max[0]] {
-        for y in [b.min[1], b.max[1]] {
-            for z in [b.min[2], b.max[2]] {
-                for (k, v) in p.point([x, y, z]).into_iter().enumerate() {
-                    if let (Some(lo), Some(hi)) = (min.get_mut(k), max.get_mut(k)) {
-                        *lo = lo.min(v);
-                        *hi = hi.max(v);
-                    }
-                }
-            }
-        }
-    }
-    Some((min, max))
+    Some(box_of(built.get(i)?.as_ref()?, &placed.of(i)?))
 }
 
 fn apart((a_min, a_max): &Box3, (b_min, b_max): &Box3) -> bool {

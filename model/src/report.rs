@@ -114,6 +114,9 @@ pub struct PartFacts {
     /// Centre of mass in the world, in mm, where the part is placed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub centre_mm: Option<[f64; 3]>,
+    /// Smallest and largest corner of a box around it in the world, in mm, where the part is placed.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub box_mm: Option<[[f64; 3]; 2]>,
     /// Placement in the world, where it has one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub placement: Option<Rows>,

@@ -66,8 +66,20 @@ pub(crate) struct Answer {
     /// How far the mate is from holding at the parts' places; absent while one of them has no place.
     #[serde(skip_serializing_if = "Option::is_none")]
     residual: Option<Residual>,
+    /// The parts that got a place by this mate, and where they reach in the world.
+    placed: Vec<PlacedPart>,
     /// The assembly now.
     state: State,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+struct PlacedPart {
+    /// Name.
+    part: String,
+    /// Smallest corner of a box around it in the world, in mm.
+    box_min_mm: [f64; 3],
+    /// Largest corner.
+    box_max_mm: [f64; 3],
 }
 
 impl Arguments {
@@ -120,6 +132,15 @@ impl Tool for MakeMate {
                 distance_mm: rounded(r.distance_mm),
                 angle_deg: rounded(r.angle_deg),
             }),
+            placed: mated
+                .placed
+                .into_iter()
+                .map(|(part, (min, max))| PlacedPart {
+                    part,
+                    box_min_mm: min.map(rounded),
+                    box_max_mm: max.map(rounded),
+                })
+                .collect(),
             state: mated.state,
         })
     }
