@@ -7,6 +7,7 @@
 
 use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name::{self, nearest};
@@ -24,6 +25,7 @@ const SPECIFICATION: &str = "assembly.json";
 pub struct Store {
     root: Dir,
     path: PathBuf,
+    written: AtomicU64,
 }
 
 /// Holds an assembly against every other writer, in this process or another, until dropped.
@@ -43,7 +45,11 @@ impl Store {
             let path = path.canonicalize()?;
             let root = Dir::open_ambient_dir(&path, ambient_authority())?;
             root.create_dir_all(ASSEMBLIES)?;
-            Ok(Self { root, path })
+            Ok(Self {
+                root,
+                path,
+                written: AtomicU64::new(0),
+            })
         };
         open().map_err(|e| file_failed("--root", "opened", &e))
     }
@@ -208,7 +214,9 @@ impl Store {
                     other => other?,
                 }
             };
-            let part = format!(".{name}.{}", std::process::id());
+            // Two writers of one file, in this process or another, never share their unfinished file.
+            let count = self.written.fetch_add(1, Ordering::Relaxed);
+            let part = format!(".{name}.{}-{count}", std::process::id());
             let written = (|| {
                 let mut file = here.create(&part)?;
                 file.write_all(bytes)?;

@@ -140,6 +140,8 @@ fn schema<T: JsonSchema>() -> Map<String, Value> {
         Some(object) => {
             object.remove("$schema");
             object.remove("title");
+            // Left out where there are none, and missed by some clients then.
+            object.entry("properties").or_insert_with(|| Value::Object(Map::new()));
             core::mem::take(object)
         }
         None => Map::new(),
