@@ -82,6 +82,14 @@ impl Kit {
     pub fn refused(&mut self, tool: &str, arguments: Value) -> Vec<Value> {
         let answer = self.session.call(tool, arguments.clone()).unwrap();
         assert!(answer.is_error, "{tool} {arguments}: {}", answer.content);
+        // Clients hold refusals against the tool's schema too.
+        if let Some(schema) = self.schemas.get(tool) {
+            assert!(
+                schema.is_valid(&answer.content),
+                "{tool}: {}",
+                answer.content
+            );
+        }
         let found = answer.content["diagnostics"].as_array().unwrap().clone();
         assert!(!found.is_empty());
         for d in &found {

@@ -15,7 +15,8 @@ use crate::resolve::Resolved;
 pub struct State {
     /// Name.
     pub assembly: String,
-    /// The part that stands still.
+    /// The part that stands still; none while there are no parts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
     pub root: Option<String>,
     /// The parts, in the order in which they were added.
     pub parts: Vec<PartState>,

@@ -15,7 +15,7 @@ use rmcp::model::{
 use rmcp::service::RequestContext;
 use rmcp::transport::stdio as streams;
 use rmcp::{ErrorData, RoleServer, ServerHandler, ServiceExt};
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::eof::{PatientReader, Running};
 
@@ -117,7 +117,7 @@ impl ServerHandler for Server {
         context: RequestContext<RoleServer>,
     ) -> Result<CallToolResponse, ErrorData> {
         let _call = self.running.start();
-        let given = Value::Object(request.arguments.unwrap_or_default());
+        let given = request.arguments.unwrap_or_default();
         let result = match self.offers.get(request.name.as_ref()) {
             None => Err(vec![self.unknown(&request.name)]),
             // A task of its own, so that a fault in a tool costs this call and no other.

@@ -4,9 +4,9 @@
 //! arguments are checked against them before it runs, so that every fault is told in one shape.
 
 use assemcad_assembly::{Faults, Workshop};
+use assemcad_model::diagnostic::Diagnostic;
 use futures::future::BoxFuture;
 use schemars::JsonSchema;
-use schemars::generate::SchemaSettings;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
@@ -21,6 +21,7 @@ mod list_factories;
 mod mate;
 mod new_assembly;
 mod remove;
+mod schema;
 mod verify;
 
 /// One tool.
@@ -79,7 +80,7 @@ pub struct Offer {
 
 impl Offer {
     fn of<T: Tool>() -> Self {
-        let input_schema = schema::<T::Arguments>();
+        let input_schema = schema::input::<T::Arguments>();
         Self {
             name: T::NAME,
             title: T::TITLE,
@@ -87,7 +88,7 @@ impl Offer {
             effect: T::EFFECT,
             validator: jsonschema::validator_for(&Value::Object(input_schema.clone())).ok(),
             input_schema,
-            output_schema: schema::<T::Answer>(),
+            output_schema: schema::output::<T::Answer, Diagnostic>(),
             handler: |workshop, arguments| {
                 Box::pin(async move {
                     let arguments = serde_json::from_value(arguments)
@@ -103,7 +104,14 @@ impl Offer {
     ///
     /// # Errors
     /// Everything that is wrong with the arguments, or else with what they ask for.
-    pub async fn call(&self, workshop: &Workshop, given: Value) -> Result<Value, Faults> {
+    pub async fn call(
+        &self,
+        workshop: &Workshop,
+        mut given: Map<String, Value>,
+    ) -> Result<Value, Faults> {
+        // Models write null for what they leave out.
+        given.retain(|_, value| !value.is_null());
+        let given = Value::Object(given);
         let Some(validator) = &self.validator else {
             return Err(vec![arguments::unreadable(self.name)]);
         };
@@ -129,25 +137,6 @@ pub fn all() -> Vec<Offer> {
     ]
 }
 
-/// The schema of a type with everything inlined: some clients do not follow references.
-fn schema<T: JsonSchema>() -> Map<String, Value> {
-    let generator = SchemaSettings::draft2020_12().with(|s| s.inline_subschemas = true);
-    let mut schema = generator
-        .into_generator()
-        .into_root_schema_for::<T>()
-        .to_value();
-    match schema.as_object_mut() {
-        Some(object) => {
-            object.remove("$schema");
-            object.remove("title");
-            // Left out where there are none, and missed by some clients then.
-            object.entry("properties").or_insert_with(|| Value::Object(Map::new()));
-            core::mem::take(object)
-        }
-        None => Map::new(),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::{Effect, all};
@@ -158,7 +147,7 @@ mod tests {
         let mut files: Vec<String> = files
             .map(|f| f.unwrap().file_name().into_string().unwrap())
             .map(|f| f.trim_end_matches(".rs").to_owned())
-            .filter(|f| f != "lib" && f != "arguments")
+            .filter(|f| !["lib", "arguments", "schema"].contains(&f.as_str()))
             .collect();
         files.sort();
         let listed: Vec<&str> = all().iter().map(|t| t.name).collect();
