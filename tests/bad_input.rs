@@ -25,21 +25,41 @@ fn kit() -> (Kit, std::collections::BTreeMap<String, Vec<u8>>) {
 #[test]
 fn malformed_messages() {
     let (mut kit, before) = kit();
-    for line in [
-        "",
-        "{",
-        "not json at all",
-        "[]",
-        "null",
-        "42",
-        r#"{"jsonrpc": "2.0"}"#,
-        r#"{"jsonrpc": "1.0", "id": 901, "method": "tools/list"}"#,
-        r#"{"jsonrpc": "2.0", "id": 902, "method": 7}"#,
-        r#"{"jsonrpc": "2.0", "id": {"a": 1}, "method": "tools/list"}"#,
-        r#"{"jsonrpc": "2.0", "method": "no/such/notification"}"#,
-        "{\"jsonrpc\": \"2.0\", \"id\": 903, \"method\": \"tools/list\"\u{0}}",
+    // The first column says which error is answered; a line of nothing and a notification get no answer.
+    for (code, line) in [
+        (None, ""),
+        (Some(-32700), "{"),
+        (Some(-32700), "not json at all"),
+        (Some(-32600), "[]"),
+        (Some(-32600), "null"),
+        (Some(-32600), "42"),
+        (Some(-32600), r#"{"jsonrpc": "2.0"}"#),
+        (
+            Some(-32600),
+            r#"{"jsonrpc": "1.0", "id": 901, "method": "tools/list"}"#,
+        ),
+        (
+            Some(-32600),
+            r#"{"jsonrpc": "2.0", "id": 902, "method": 7}"#,
+        ),
+        (
+            Some(-32600),
+            r#"{"jsonrpc": "2.0", "id": {"a": 1}, "method": "tools/list"}"#,
+        ),
+        (
+            None,
+            r#"{"jsonrpc": "2.0", "method": "no/such/notification"}"#,
+        ),
+        (
+            Some(-32700),
+            "{\"jsonrpc\": \"2.0\", \"id\": 903, \"method\": \"tools/list\"\u{0}}",
+        ),
     ] {
         kit.session.send(line).unwrap();
+        if let Some(code) = code {
+            let answer = kit.session.message(Duration::from_secs(20)).unwrap();
+            assert_eq!(answer["error"]["code"], code, "{line}: {answer}");
+        }
         unharmed(&mut kit, &before);
     }
 }
@@ -76,6 +96,8 @@ fn numbers_that_are_none() {
             r#"{{"jsonrpc":"2.0","id":950,"method":"tools/call","params":{{"name":"verify","arguments":{{"assembly":"stand","tau_mm3":{number}}}}}}}"#
         );
         kit.session.send(&line).unwrap();
+        let answer = kit.session.message(Duration::from_secs(20)).unwrap();
+        assert_eq!(answer["error"]["code"], -32700, "{answer}");
         unharmed(&mut kit, &before);
     }
     // 1e999 is JSON, but no number that can be computed with.

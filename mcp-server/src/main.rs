@@ -2,7 +2,8 @@
 //!
 //! Standard output belongs to the protocol; logs go to standard error.
 
-mod eof;
+mod lines;
+mod running;
 mod serve;
 
 use std::path::PathBuf;

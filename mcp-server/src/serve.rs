@@ -9,15 +9,17 @@ use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
 use assemcad_tools::{Effect, Offer};
 use rmcp::model::{
-    CallToolRequestParams, CallToolResponse, CallToolResult, Implementation, ListToolsResult,
-    PaginatedRequestParams, ServerCapabilities, ServerConfig, Tool, ToolAnnotations,
+    CallToolRequestParams, CallToolResponse, CallToolResult, CustomRequest, CustomResult,
+    ErrorCode, Implementation, ListToolsResult, PaginatedRequestParams, ServerCapabilities,
+    ServerConfig, Tool, ToolAnnotations,
 };
 use rmcp::service::RequestContext;
 use rmcp::transport::stdio as streams;
 use rmcp::{ErrorData, RoleServer, ServerHandler, ServiceExt};
 use serde_json::json;
 
-use crate::eof::{PatientReader, Running};
+use crate::lines;
+use crate::running::Running;
 
 /// What a model reads before it sees any tool; clients cut it at 2 KiB.
 const INSTRUCTIONS: &str = "assemcad builds mechanical assemblies that are checked: typed parts with \
@@ -39,16 +41,19 @@ indeterminate; a report also says what was not checked.";
 pub(crate) async fn stdio(workshop: Workshop) -> Result<(), String> {
     let running = Running::default();
     let (input, output) = streams();
-    let server = Server::new(workshop, running.clone());
-    let service = server
-        .serve((PatientReader::new(input, running), output))
+    let (stream, writing) = lines::around(input, output, running.clone());
+    let service = Server::new(workshop, running)
+        .serve(stream)
         .await
         .map_err(|e| format!("the session did not start: {e}"))?;
     service
         .waiting()
         .await
         .map_err(|e| format!("the session broke off: {e}"))?;
-    Ok(())
+    match writing.await {
+        Ok(written) => written.map_err(|e| format!("the output broke off: {e}")),
+        Err(e) => Err(format!("the output broke off: {e}")),
+    }
 }
 
 struct Server {
@@ -109,6 +114,30 @@ impl ServerHandler for Server {
 
     fn get_tool(&self, name: &str) -> Option<Tool> {
         self.tools.iter().find(|t| t.name == name).cloned()
+    }
+
+    /// What the library could not read as any request that it knows.
+    async fn on_custom_request(
+        &self,
+        request: CustomRequest,
+        _context: RequestContext<RoleServer>,
+    ) -> Result<CustomResult, ErrorData> {
+        let method = clip(&request.method);
+        Err(match method.as_str() {
+            "tools/call" => ErrorData::invalid_params(
+                "the parameters of tools/call are {\"name\": a tool's name, \"arguments\": an object}",
+                Some(json!({"tools": self.offers.keys().collect::<Vec<_>>()})),
+            ),
+            "tools/list" | "initialize" | "ping" => ErrorData::invalid_params(
+                format!("the parameters of {method} could not be read"),
+                None,
+            ),
+            _ => ErrorData::new(
+                ErrorCode::METHOD_NOT_FOUND,
+                format!("there is no method '{method}': this server has tools"),
+                Some(json!({"methods": ["tools/list", "tools/call", "ping"]})),
+            ),
+        })
     }
 
     async fn call_tool(
