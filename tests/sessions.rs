@@ -185,7 +185,12 @@ fn a_part_placed_from_the_other_side() {
             {"part": "c", "box_min_mm": [10.0, 10.0, 50.0], "box_max_mm": [20.0, 20.0, 60.0]},
         ])
     );
-    let c = &second["state"]["parts"][2];
+    assert_eq!(
+        (&second["state"]["parts"], &second["state"]["mates"]),
+        (&json!(3), &json!(2))
+    );
+    let state = kit.ok("get_assembly", json!({"assembly": "a"}));
+    let c = &state["state"]["parts"][2];
     assert_eq!(c["placed_by"], "c_on_b");
     // Centred on the root (15, 15), 30 + 20 high; the cube's own corner is 5 off its centre.
     assert_eq!(c["origin_mm"], json!([10.0, 10.0, 50.0]));

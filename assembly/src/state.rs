@@ -28,6 +28,43 @@ pub struct State {
     pub specification_sha256: String,
 }
 
+/// The state of an assembly in a few words, however many parts it has: what a change answers with.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Summary {
+    /// Name.
+    pub assembly: String,
+    /// The part that stands still; none while there are no parts.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub root: Option<String>,
+    /// How many parts there are.
+    pub parts: usize,
+    /// How many mates there are.
+    pub mates: usize,
+    /// Names of the parts that no mate joins to the root yet, at most 20 of them.
+    pub unplaced: Vec<String>,
+    /// How many parts that are.
+    pub unplaced_total: usize,
+    /// SHA-256 of the specification.
+    pub specification_sha256: String,
+}
+
+/// How many names a summary lists.
+const MOST_NAMES: usize = 20;
+
+impl From<State> for Summary {
+    fn from(state: State) -> Self {
+        Self {
+            assembly: state.assembly,
+            root: state.root,
+            parts: state.parts.len(),
+            mates: state.mates.len(),
+            unplaced_total: state.unplaced.len(),
+            unplaced: state.unplaced.into_iter().take(MOST_NAMES).collect(),
+            specification_sha256: state.specification_sha256,
+        }
+    }
+}
+
 /// A part, in short.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PartState {

@@ -1,7 +1,7 @@
 //! `add_part`.
 
 use assemcad_assembly::edit::Change;
-use assemcad_assembly::state::State;
+use assemcad_assembly::state::Summary;
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::ports::PortType;
 use assemcad_model::report::rounded;
@@ -42,8 +42,8 @@ pub(crate) struct Answer {
     box_max_mm: [f64; 3],
     /// Its ports, for the mate tool.
     ports: Vec<PortShort>,
-    /// The assembly now.
-    state: State,
+    /// The assembly now, in short.
+    state: Summary,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -84,7 +84,7 @@ impl Tool for AddPart {
             box_min_mm: added.built.min.map(rounded),
             box_max_mm: added.built.max.map(rounded),
             ports: added.part.ports().iter().map(short).collect(),
-            state: added.state,
+            state: added.state.into(),
         })
     }
 }

@@ -37,7 +37,7 @@ impl Tool for GetAssembly {
     const TITLE: &'static str = "Get an assembly";
     const DESCRIPTION: &'static str = "Tells the state of an assembly: its parts with their places, \
         its mates, and which parts have no place yet. With detail 'full', its whole specification. \
-        Use it to go on after a break; answers of the changing tools carry the state already.";
+        Use it to go on after a break; answers of the changing tools tell in short what there is.";
     const EFFECT: Effect = Effect::Reads;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {

@@ -1,7 +1,7 @@
 //! `mate`.
 
 use assemcad_assembly::edit::Change;
-use assemcad_assembly::state::State;
+use assemcad_assembly::state::Summary;
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::mates::{MateType, Residual};
@@ -68,8 +68,8 @@ pub(crate) struct Answer {
     residual: Option<Residual>,
     /// The parts that got a place by this mate, and where they reach in the world.
     placed: Vec<PlacedPart>,
-    /// The assembly now.
-    state: State,
+    /// The assembly now, in short.
+    state: Summary,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -141,7 +141,7 @@ impl Tool for MakeMate {
                     box_max_mm: max.map(rounded),
                 })
                 .collect(),
-            state: mated.state,
+            state: mated.state.into(),
         })
     }
 }

@@ -1,7 +1,7 @@
 //! `new_assembly`.
 
 use assemcad_assembly::edit::Change;
-use assemcad_assembly::state::State;
+use assemcad_assembly::state::Summary;
 use assemcad_assembly::{Faults, Workshop};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -25,8 +25,8 @@ pub(crate) struct Arguments {
 pub(crate) struct Answer {
     /// False where the assembly was there already.
     changed: bool,
-    /// The assembly now.
-    state: State,
+    /// The assembly now, in short.
+    state: Summary,
 }
 
 impl Tool for NewAssembly {
@@ -43,7 +43,7 @@ impl Tool for NewAssembly {
         let (change, state) = workshop.new_assembly(&a.assembly, &a.description).await?;
         Ok(Answer {
             changed: change == Change::Made,
-            state,
+            state: state.into(),
         })
     }
 }

@@ -1,6 +1,6 @@
 //! `remove`.
 
-use assemcad_assembly::state::State;
+use assemcad_assembly::state::Summary;
 use assemcad_assembly::{Faults, Workshop};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -29,8 +29,8 @@ enum Kind {
 
 #[derive(Debug, Serialize, JsonSchema)]
 pub(crate) struct Answer {
-    /// The assembly now.
-    state: State,
+    /// The assembly now, in short.
+    state: Summary,
 }
 
 impl Tool for Remove {
@@ -48,6 +48,8 @@ impl Tool for Remove {
             Kind::Part => workshop.remove_part(&a.assembly, &a.name).await?,
             Kind::Mate => workshop.remove_mate(&a.assembly, &a.name).await?,
         };
-        Ok(Answer { state })
+        Ok(Answer {
+            state: state.into(),
+        })
     }
 }
