@@ -4,7 +4,6 @@
 //! arguments are checked against them before it runs, so that every fault is told in one shape.
 
 use assemcad_assembly::{Faults, Workshop};
-use assemcad_model::diagnostic::Diagnostic;
 use futures::future::BoxFuture;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -88,7 +87,7 @@ impl Offer {
             effect: T::EFFECT,
             validator: jsonschema::validator_for(&Value::Object(input_schema.clone())).ok(),
             input_schema,
-            output_schema: schema::output::<T::Answer, Diagnostic>(),
+            output_schema: schema::output::<T::Answer>(),
             handler: |workshop, arguments| {
                 Box::pin(async move {
                     let arguments = serde_json::from_value(arguments)

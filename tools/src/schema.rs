@@ -17,12 +17,15 @@ pub(crate) fn input<T: JsonSchema>() -> Map<String, Value> {
 /// TypeScript clients hold refusals against this schema too and lose them where they do not fit; a
 /// choice at the root (`oneOf`) is refused by others. So the root says: without `diagnostics`, all of
 /// the answer's own fields are there.
-pub(crate) fn output<T: JsonSchema, D: JsonSchema>() -> Map<String, Value> {
+pub(crate) fn output<T: JsonSchema>() -> Map<String, Value> {
     let mut schema = of::<T>();
     let required = schema.remove("required").unwrap_or_else(|| json!([]));
+    // The whole shape of a diagnostic is in verify's findings; ten times over it would be most of the
+    // tools' list.
     let diagnostics = json!({
-        "type": "array", "items": Value::Object(of::<D>()),
+        "type": "array",
         "description": "Why the call was refused; then nothing else is here.",
+        "items": {"type": "object", "required": ["code", "severity", "where", "message"]},
     });
     if let Some(properties) = schema
         .entry("properties")
@@ -130,15 +133,19 @@ mod tests {
 
     #[test]
     fn an_answer_is_whole_or_a_refusal() {
-        let schema = Value::Object(super::output::<Answer, String>());
+        let schema = Value::Object(super::output::<Answer>());
         let schema = jsonschema::validator_for(&schema).unwrap();
-        for good in [json!({"count": 1}), json!({"diagnostics": ["x"]})] {
+        for good in [
+            json!({"count": 1}),
+            json!({"diagnostics": [{"code": "c", "severity": "s", "where": "w", "message": "m"}]}),
+        ] {
             assert!(schema.is_valid(&good), "{good}");
         }
         for bad in [
             json!({}),
             json!({"name": "x"}),
             json!({"count": 1, "diagnostics": []}),
+            json!({"diagnostics": ["x"]}),
         ] {
             assert!(!schema.is_valid(&bad), "{bad}");
         }
