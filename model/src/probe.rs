@@ -139,7 +139,7 @@ impl Site {
 
     /// [`Site::surface`] at points of a ring between two radii.
     pub(crate) fn ring_surface(&self, inner: f64, outer: f64, shows: &str, out: &mut Vec<Probe>) {
-        for (deg, share) in RING_DEG.iter().zip([0.5, 0.1, 0.9].into_iter().cycle()) {
+        for (deg, share) in RING_DEG.iter().zip([0.5, 0.02, 0.9].into_iter().cycle()) {
             let (s, c) = crate::angle::sin_cos_deg(*deg);
             let r = inner + share * (outer - inner);
             self.surface(r * c, r * s, 0.0, shows, out);
@@ -170,6 +170,11 @@ impl Site {
         out.push(self.somewhere_in(radius + NEAR_MM, (from, to), "material around the hole"));
         let point = self.point(0.0, 0.0, from + NEAR_MM);
         out.push(probe("the hole is open at its mouth", Test::Out { point }));
+        let point = self.point(0.0, 0.0, to + NEAR_MM);
+        out.push(probe(
+            "the hole is empty down to its end",
+            Test::Out { point },
+        ));
     }
 
     /// A solid or hollow cylinder of a radius, from height `from` down to `to` of the frame.

@@ -1,7 +1,7 @@
 //! `FLAT_FACE`.
 
 use super::{Allowed, MOST_MM, PortKind, PortParam, PortType, Values, length};
-use crate::probe::{Probe, Site, Test, probe};
+use crate::probe::{NEAR_MM, Probe, Site, Test, probe};
 
 pub(super) static KIND: PortKind = PortKind {
     port_type: PortType::FlatFace,
@@ -41,6 +41,10 @@ fn evidence(v: &Values<'_>, site: &Site) -> Vec<Probe> {
     let hole = v.get("hole_diameter") / 2.0;
     if hole > 0.0 {
         site.ring_surface(hole, x.min(y), "the ring face", &mut out);
+        for deg in [0.0, 90.0, 180.0, 270.0] {
+            let point = site.polar(0.95 * hole, deg, -NEAR_MM);
+            out.push(probe("the hole in the ring", Test::Out { point }));
+        }
     } else {
         site.surface(0.0, 0.0, 0.0, "the face at the port's origin", &mut out);
     }

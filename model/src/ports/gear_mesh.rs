@@ -102,6 +102,13 @@ fn evidence(v: &Values<'_>, site: &Site) -> Vec<Probe> {
     let radius = pitch_radius(v.get("module"), teeth, helix);
     let (sin, cos) = crate::angle::sin_cos_deg(helix);
     let half = half_thickness(v);
+    // Beyond the tips: a disc or ring that reaches on there is no gear of this kind.
+    let (module, shift) = (v.get("module"), v.get("profile_shift"));
+    let past = if v.get("internal") == 1.0 {
+        radius - module * (1.3 + shift.abs())
+    } else {
+        radius + module * (1.3 + shift)
+    };
     let (within, beyond) = (0.7 * half, half + 0.3 * (0.5 - half));
     let mut out = Vec::new();
     for share in [0.0, 0.45, -0.45] {
@@ -111,6 +118,8 @@ fn evidence(v: &Values<'_>, site: &Site) -> Vec<Probe> {
         for k in 0..8 {
             // Eight teeth spread around, so that a wrong number of teeth cannot fit them all.
             let tooth = libm::floor(f64::from(k) * teeth / 8.0);
+            let point = site.polar(past.max(0.0), tooth * 360.0 / teeth + turn, z);
+            out.push(probe("nothing beyond a tooth's tip", Test::Out { point }));
             for part in [0.0, within, -within, 0.5, beyond, -beyond] {
                 let point = site.polar(radius, (tooth + part) * 360.0 / teeth + turn, z);
                 out.push(if part.abs() <= within {
