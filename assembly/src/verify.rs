@@ -46,7 +46,24 @@ impl Workshop {
     /// When there is no assembly to verify. What is wrong *with* it is in the report.
     pub async fn verify(&self, id: &str, tau_mm3: f64) -> Result<Report, Faults> {
         let spec = self.store.load(id).map_err(|d| vec![d])?;
-        let resolved = resolve::assembly(&self.registry, &spec)?;
+        let report = self.verify_specification(&spec, tau_mm3).await?;
+        self.store
+            .write_json(&report_file(id), &report)
+            .map_err(|d| vec![d])?;
+        Ok(report)
+    }
+
+    /// Verifies a specification, which need not be on disk. Nothing is written.
+    ///
+    /// # Errors
+    /// As [`Workshop::verify`].
+    pub async fn verify_specification(
+        &self,
+        spec: &Assembly,
+        tau_mm3: f64,
+    ) -> Result<Report, Faults> {
+        let id = spec.id.as_str();
+        let resolved = resolve::assembly(&self.registry, spec)?;
         if resolved.parts.is_empty() {
             return Err(vec![
                 Diagnostic::error(
@@ -67,17 +84,17 @@ impl Workshop {
         let pairs = self
             .check_pairs(&resolved, &placed, &built, tau_mm3, &mut run)
             .await;
-        check_connectivity(&spec, &resolved, &mut run);
+        check_connectivity(spec, &resolved, &mut run);
         // Stable: within a verdict, the order of the checks and of the specification.
         run.findings.sort_by_key(|f| core::cmp::Reverse(f.verdict));
         let verdict = run
             .checks
             .iter()
             .fold(Verdict::Pass, |v, c| v.and(c.verdict));
-        let report = Report {
+        Ok(Report {
             format: FORMAT,
             assembly: id.to_owned(),
-            specification_sha256: hash(&spec).map_err(|d| vec![d])?,
+            specification_sha256: hash(spec).map_err(|d| vec![d])?,
             kernel: assemcad_kernel::version(),
             verdict,
             findings: run.findings,
@@ -88,11 +105,7 @@ impl Workshop {
             parts,
             mates,
             pairs,
-        };
-        self.store
-            .write_json(&report_file(id), &report)
-            .map_err(|d| vec![d])?;
-        Ok(report)
+        })
     }
 
     async fn check_parts(
@@ -354,6 +367,7 @@ fn check_mates(resolved: &Resolved, placed: &Placed, run: &mut Run) -> Vec<MateF
             mate_type: m.mate.mate_type,
             base: m.mate.base.to_string(),
             incoming: m.mate.incoming.to_string(),
+            axioms: m.mate.axioms.clone(),
             verdict: held,
             residual: residual.map(|r| assemcad_model::mates::Residual {
                 distance_mm: rounded(r.distance_mm),

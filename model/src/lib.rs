@@ -17,3 +17,4 @@ pub mod probe;
 pub mod recipe;
 pub mod report;
 pub mod spec;
+pub mod yaml;

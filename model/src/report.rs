@@ -130,6 +130,9 @@ pub struct MateFacts {
     pub base: String,
     /// Incoming port as `part:port`.
     pub incoming: String,
+    /// The axioms that it cites.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub axioms: Vec<String>,
     /// Whether it holds.
     pub verdict: Verdict,
     /// How far it is from holding, where both parts are placed.

@@ -48,6 +48,9 @@ pub(crate) struct Arguments {
     /// Turn about the incoming port's z, in degrees.
     #[serde(default)]
     alpha_deg: Option<f64>,
+    /// Ids of the engineering axioms that justify the mate, such as 'C-02'.
+    #[serde(default)]
+    axioms: Vec<String>,
 }
 
 #[derive(Debug, Clone, Copy, Deserialize, Serialize, JsonSchema)]
@@ -111,6 +114,8 @@ impl Tool for MakeMate {
             base,
             incoming,
             options,
+            axioms: a.axioms,
+            notes: String::new(),
         };
         let mated = workshop.mate(&a.assembly, mate).await?;
         Ok(Answer {
