@@ -3,11 +3,13 @@
 
 mod bad_input;
 mod determinism;
+mod drafts;
 mod faults;
 mod geometry;
 mod harness;
 mod kit;
 mod persistence;
+mod realize;
 mod refusals;
 mod sessions;
 mod verification;

@@ -129,9 +129,11 @@ pub fn part(registry: &Registry, part: &Part, place: &str) -> Result<ResolvedPar
             };
             faults.into_iter().map(under).collect::<Faults>()
         })?;
+    // A short name is written out, so that a factory added later does not make it mean another.
+    let factory = registry.get(&part.factory).map_err(|d| vec![*d])?.name();
     Ok(ResolvedPart {
         id: part.id.clone(),
-        factory: part.factory.clone(),
+        factory: factory.to_owned(),
         made,
     })
 }
@@ -218,7 +220,7 @@ fn index(parts: &[ResolvedPart], id: &str) -> Option<usize> {
     parts.iter().position(|p| p.id == id)
 }
 
-fn port<'a>(
+pub(crate) fn port<'a>(
     parts: &'a [ResolvedPart],
     end: &End,
     place: &str,

@@ -90,7 +90,10 @@ fn a_bad_file_does_not_stop_the_rest() {
     write("cube.star", good);
     write("readme.md", "nothing");
     let (registry, found) = Registry::load(Some(folder.path()));
-    assert_eq!(registry.names().len(), Registry::builtin().names().len() + 1);
+    assert_eq!(
+        registry.names().len(),
+        Registry::builtin().names().len() + 1
+    );
     assert_eq!(
         registry
             .build("my.cube", &Map::new())

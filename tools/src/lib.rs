@@ -20,7 +20,10 @@ mod list_assemblies;
 mod list_factories;
 mod mate;
 mod new_assembly;
+pub mod prompts;
+mod realize;
 mod remove;
+mod validate_draft;
 mod verify;
 
 /// One tool.
@@ -124,7 +127,9 @@ pub fn all() -> Vec<Offer> {
         Offer::of::<list_factories::ListFactories>(),
         Offer::of::<mate::MakeMate>(),
         Offer::of::<new_assembly::NewAssembly>(),
+        Offer::of::<realize::Realize>(),
         Offer::of::<remove::Remove>(),
+        Offer::of::<validate_draft::ValidateDraft>(),
         Offer::of::<verify::Verify>(),
     ]
 }
@@ -149,6 +154,7 @@ fn schema<T: JsonSchema>() -> Map<String, Value> {
 #[cfg(test)]
 mod tests {
     use super::{Effect, all};
+    use serde_json::Value;
 
     #[test]
     fn every_file_is_a_tool_that_is_listed() {
@@ -156,7 +162,7 @@ mod tests {
         let mut files: Vec<String> = files
             .map(|f| f.unwrap().file_name().into_string().unwrap())
             .map(|f| f.trim_end_matches(".rs").to_owned())
-            .filter(|f| f != "lib" && f != "arguments")
+            .filter(|f| !["lib", "arguments", "prompts"].contains(&f.as_str()))
             .collect();
         files.sort();
         let listed: Vec<&str> = all().iter().map(|t| t.name).collect();
@@ -181,8 +187,10 @@ mod tests {
                 }
             }
             assert_eq!(tool.input_schema["additionalProperties"], false, "{name}");
-            for (field, schema) in tool.input_schema["properties"]
-                .as_object()
+            for (field, schema) in tool
+                .input_schema
+                .get("properties")
+                .and_then(Value::as_object)
                 .into_iter()
                 .flatten()
             {
@@ -191,7 +199,7 @@ mod tests {
                     "{name}.{field} has no description"
                 );
             }
-            assert!(tool.effect != Effect::Removes || name == "remove");
+            assert!(tool.effect != Effect::Removes || ["realize", "remove"].contains(&name));
         }
     }
 }

@@ -27,7 +27,7 @@ pub(crate) struct Arguments {
     detail: Detail,
 }
 
-fn default_tau() -> f64 {
+pub(crate) fn default_tau() -> f64 {
     DEFAULT_TAU_MM3
 }
 
