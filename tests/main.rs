@@ -5,6 +5,8 @@ mod bad_input;
 mod determinism;
 mod drafts;
 mod faults;
+mod gear_pairs;
+mod gears;
 mod geometry;
 mod harness;
 mod kit;
