@@ -4,10 +4,13 @@
 //! is written back before the operation returns, so that a killed server loses nothing.
 
 pub mod build;
+mod contact_check;
 pub mod draft;
 pub mod edit;
 pub mod export;
+mod interference;
 pub mod place;
+mod ports_check;
 pub mod realize;
 pub mod resolve;
 pub mod state;

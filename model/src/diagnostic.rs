@@ -115,6 +115,10 @@ pub enum Code {
     WorkerMemoryLimit,
     /// A worker could not be started or spoke nonsense.
     WorkerFailed,
+    /// The solid does not show what a port promises.
+    PortEvidence,
+    /// Mated parts do not touch where their mate promises it.
+    ContactMissing,
     /// Two parts overlap.
     Clash,
     /// A part is not joined to the root.
