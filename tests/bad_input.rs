@@ -237,7 +237,7 @@ fn files_are_written_below_the_root_only() {
         "",
         "x",
         "x.txt",
-        "assemblies/stand/assembly.json",
+        "assemblies/stand/assembly.yaml",
         "a/",
         ".step/..",
     ] {
@@ -257,7 +257,7 @@ fn arguments_of_every_wrong_type() {
     let (mut kit, before) = kit();
     let tools = kit.session.request("tools/list", json!({})).unwrap();
     let tools = tools["result"]["tools"].as_array().unwrap().clone();
-    assert_eq!(tools.len(), 10);
+    assert_eq!(tools.len(), 12);
     let wrong = [
         json!(null),
         json!(-1),

@@ -53,7 +53,7 @@ fn run() -> Result<(), String> {
     }
     session.close()?;
     println!("\nleft in {}:", folder.display());
-    for name in ["assembly.json", "report.json", "bearing_stand.step"] {
+    for name in ["assembly.yaml", "report.json", "bearing_stand.step"] {
         let size = std::fs::metadata(folder.join(name))
             .map_err(|e| format!("{name}: {e}"))?
             .len();

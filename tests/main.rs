@@ -3,11 +3,17 @@
 
 mod bad_input;
 mod determinism;
+mod drafts;
 mod faults;
+mod gear_pairs;
+mod gears;
 mod geometry;
 mod harness;
 mod kit;
+mod mates;
 mod persistence;
+mod ports;
+mod realize;
 mod refusals;
 mod sessions;
 mod verification;

@@ -1,6 +1,6 @@
 //! Every accepted change is on disk before it is answered.
 
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::harness::Session;
 use crate::kit::{Kit, program};
@@ -73,13 +73,13 @@ fn two_servers_over_one_folder_lose_nothing() {
 fn a_damaged_specification_is_told_and_left_alone() {
     let mut kit = Kit::new();
     kit.stand("stand");
-    let path = kit.file("assemblies/stand/assembly.json");
+    let path = kit.file("assemblies/stand/assembly.yaml");
     let good = std::fs::read_to_string(&path).unwrap();
     for bad in [
         "",
         "{}",
         &good[..good.len() / 2],
-        &good.replace("\"stand\"", "\"other\""),
+        &good.replace("id: stand\n", "id: other\n"),
     ] {
         std::fs::write(&path, bad).unwrap();
         let call = json!({"assembly": "stand", "part": "x", "factory": "test.block"});
@@ -133,17 +133,40 @@ fn a_damaged_cached_solid_is_made_anew() {
 fn the_specification_is_text_that_people_can_read() {
     let mut kit = Kit::new();
     kit.stand("stand");
-    let text = std::fs::read(kit.file("assemblies/stand/assembly.json")).unwrap();
-    let document: Value = serde_json::from_slice(&text).unwrap();
-    assert_eq!(document["format"], 1);
-    assert_eq!(document["assembly"]["id"], "stand");
+    let text = std::fs::read_to_string(kit.file("assemblies/stand/assembly.yaml")).unwrap();
     assert_eq!(
-        document["assembly"]["mates"][1],
-        json!({
-            "id": "m2", "mate_type": "coaxial",
-            "base": {"ref": "block", "port": "bore_port"},
-            "incoming": {"ref": "bearing", "port": "outer_ring"},
-            "options": {"d_mm": -7.0, "direction": "same"},
-        })
+        text,
+        "format: 1
+assembly:
+  id: stand
+  parts:
+    - id: plate
+      factory: base_frame.rect_plate
+      params: {}
+    - id: block
+      factory: base_frame.housing_block
+      params: {}
+    - id: bearing
+      factory: bearing.ball
+      params: {}
+    - id: shaft
+      factory: base_frame.stepped_shaft
+      params: {}
+  mates:
+    - id: m1
+      mate_type: face_to_face
+      base: {ref: plate, port: top_face}
+      incoming: {ref: block, port: bottom_face}
+    - id: m2
+      mate_type: coaxial
+      base: {ref: block, port: bore_port}
+      incoming: {ref: bearing, port: outer_ring}
+      options: {d_mm: -7.0, direction: same}
+    - id: m3
+      mate_type: coaxial
+      base: {ref: bearing, port: inner_ring}
+      incoming: {ref: shaft, port: shaft_seat_1}
+      options: {d_mm: -30.0, direction: same}
+"
     );
 }

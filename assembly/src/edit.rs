@@ -5,6 +5,7 @@ use assemcad_kernel::protocol::Built;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::mates::Residual;
 use assemcad_model::report::rounded;
+use assemcad_model::spec::text::normalise;
 use assemcad_model::spec::{Assembly, Mate, Part};
 use serde_json::json;
 
@@ -100,9 +101,13 @@ impl Workshop {
     ///
     /// # Errors
     /// Everything that is wrong with its name, factory, parameters or solid.
-    pub async fn add_part(&self, assembly: &str, part: Part) -> Result<Added, Faults> {
+    pub async fn add_part(&self, assembly: &str, mut part: Part) -> Result<Added, Faults> {
         let _lock = self.store.lock(assembly).await.map_err(one)?;
         let mut spec = self.store.load(assembly).map_err(one)?;
+        normalise(&mut part.params);
+        if let Ok(factory) = self.registry.get(&part.factory) {
+            part.factory = factory.name().to_owned();
+        }
         let mut faults: Faults = check_name("part", &part.id).err().into_iter().collect();
         let change = match spec.part(&part.id) {
             Some(there) if *there == part => Change::None,
@@ -142,10 +147,11 @@ impl Workshop {
     ///
     /// # Errors
     /// Everything that is wrong with its name, ports, type or options, or by how much it does not hold.
-    pub async fn mate(&self, assembly: &str, mate: Mate) -> Result<Mated, Faults> {
+    pub async fn mate(&self, assembly: &str, mut mate: Mate) -> Result<Mated, Faults> {
         let _lock = self.store.lock(assembly).await.map_err(one)?;
         let mut spec = self.store.load(assembly).map_err(one)?;
         let before = resolve::assembly(&self.registry, &spec)?;
+        normalise(&mut mate.options);
         let mut faults: Faults = check_name("id", &mate.id).err().into_iter().collect();
         let change = match spec.mate(&mate.id) {
             Some(there) if *there == mate => Change::None,

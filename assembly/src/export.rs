@@ -4,6 +4,7 @@ use assemcad_kernel::protocol::{Instance, Job, Product, Reply, StepFacts};
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{Report, Verdict};
+use assemcad_model::spec::Assembly;
 use futures::future::join_all;
 use serde_json::json;
 
@@ -52,6 +53,35 @@ pub struct Exported {
     pub verdict: Option<Verdict>,
 }
 
+/// A STEP file that is not written yet.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Step {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// SHA-256 of the specification, as in the file's header.
+    pub specification_sha256: String,
+    /// How many distinct solids it holds.
+    pub products: usize,
+    /// How many parts it holds.
+    pub instances: usize,
+}
+
+impl Step {
+    /// What there is to say of it once it is a file.
+    #[must_use]
+    pub fn exported(self, file: String, verdict: Option<Verdict>) -> Exported {
+        Exported {
+            file,
+            bytes: self.bytes.len(),
+            sha256: sha256(&self.bytes),
+            specification_sha256: self.specification_sha256,
+            products: self.products,
+            instances: self.instances,
+            verdict,
+        }
+    }
+}
+
 impl Workshop {
     /// Exports an assembly as STEP (AP242) to a file below the root.
     ///
@@ -75,9 +105,25 @@ impl Workshop {
             }
         };
         let spec = self.store.load(id).map_err(one)?;
-        let resolved = resolve::assembly(&self.registry, &spec)?;
+        let step = self.step(&spec).await?;
+        self.store.write(&file, &step.bytes).map_err(one)?;
+        let report: Option<Report> = self.store.read_json(&report_file(id));
+        let verdict = report
+            .filter(|r| r.specification_sha256 == step.specification_sha256)
+            .map(|r| r.verdict);
+        Ok(step.exported(file, verdict))
+    }
+
+    /// The STEP file of a specification, which need not be on disk. Nothing is written.
+    ///
+    /// # Errors
+    /// When parts have no place or cannot be made, or the file does not read back as what it is.
+    pub async fn step(&self, spec: &Assembly) -> Result<Step, Faults> {
+        let one = |d: Diagnostic| vec![d];
+        let id = spec.id.as_str();
+        let resolved = resolve::assembly(&self.registry, spec)?;
         let measured = self.ready(id, &resolved).await?;
-        let specification_sha256 = hash(&spec).map_err(one)?;
+        let specification_sha256 = hash(spec).map_err(one)?;
         let (solids, instances) = tree(&resolved).map_err(one)?;
         let job = Job::Step {
             name: id.to_owned(),
@@ -94,24 +140,17 @@ impl Workshop {
             Err(f) => return Err(one(diagnostic(&f, "export_step"))),
         };
         check_read_back(&resolved, &measured, &facts).map_err(one)?;
-        self.store.write(&file, &bytes).map_err(one)?;
-        let report: Option<Report> = self.store.read_json(&report_file(id));
         let Job::Step {
             solids, instances, ..
         } = &job
         else {
             return Err(one(unexpected(&job)));
         };
-        Ok(Exported {
-            file,
-            bytes: bytes.len(),
-            sha256: sha256(&bytes),
+        Ok(Step {
+            bytes,
+            specification_sha256,
             products: solids.len(),
             instances: instances.len(),
-            verdict: report
-                .filter(|r| r.specification_sha256 == specification_sha256)
-                .map(|r| r.verdict),
-            specification_sha256,
         })
     }
 

@@ -4,9 +4,14 @@
 //! is written back before the operation returns, so that a killed server loses nothing.
 
 pub mod build;
+mod contact_check;
+pub mod draft;
 pub mod edit;
 pub mod export;
+mod interference;
 pub mod place;
+mod ports_check;
+pub mod realize;
 pub mod resolve;
 pub mod state;
 pub mod store;
@@ -32,6 +37,8 @@ pub struct Workshop {
     pub pool: Pool,
     /// The assemblies on disk.
     pub store: Store,
+    /// How often a draft may be wrong before its decomposition counts as failed.
+    pub draft_rounds: usize,
 }
 
 impl Workshop {
@@ -44,6 +51,7 @@ impl Workshop {
             registry,
             pool,
             store: Store::open(root)?,
+            draft_rounds: draft::DEFAULT_ROUNDS,
         })
     }
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use assemcad_factories::Registry;
 use assemcad_model::diagnostic::{Code, Diagnostic};
-use assemcad_model::mates::Options;
+use assemcad_model::mates::{Joint, MateType, Options};
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
 use assemcad_model::ports::Port;
@@ -23,6 +23,18 @@ pub struct ResolvedPart {
     pub factory: String,
     /// Recipe, ports, and the source lines of the recipe's operations.
     pub made: Arc<Evaluated>,
+}
+
+impl ResolvedMate {
+    /// The two ports and the options.
+    #[must_use]
+    pub fn joint(&self) -> Joint<'_> {
+        Joint {
+            base: &self.base_port,
+            incoming: &self.incoming_port,
+            options: &self.options,
+        }
+    }
 }
 
 impl ResolvedPart {
@@ -117,9 +129,11 @@ pub fn part(registry: &Registry, part: &Part, place: &str) -> Result<ResolvedPar
             };
             faults.into_iter().map(under).collect::<Faults>()
         })?;
+    // A short name is written out, so that a factory added later does not make it mean another.
+    let factory = registry.get(&part.factory).map_err(|d| vec![*d])?.name();
     Ok(ResolvedPart {
         id: part.id.clone(),
-        factory: part.factory.clone(),
+        factory: factory.to_owned(),
         made,
     })
 }
@@ -176,17 +190,18 @@ pub fn mate(
                 (incoming, incoming_port),
                 at,
             ));
-        } else {
-            faults.extend(
-                kind.conditions(base_port, incoming_port)
-                    .into_iter()
-                    .map(|c| {
-                        Diagnostic::error(Code::MateIncompatible, at("incoming"), c.message)
-                            .found(c.found)
-                            .expected(c.expected)
-                    }),
-            );
-            if let (true, Some(options)) = (faults.is_empty(), options) {
+        } else if let Some(options) = options {
+            let joint = Joint {
+                base: base_port,
+                incoming: incoming_port,
+                options: &options,
+            };
+            faults.extend(kind.conditions(&joint).into_iter().map(|c| {
+                Diagnostic::error(Code::MateIncompatible, at("incoming"), c.message)
+                    .found(c.found)
+                    .expected(c.expected)
+            }));
+            if faults.is_empty() {
                 return Ok(ResolvedMate {
                     mate: mate.clone(),
                     base,
@@ -205,7 +220,7 @@ fn index(parts: &[ResolvedPart], id: &str) -> Option<usize> {
     parts.iter().position(|p| p.id == id)
 }
 
-fn port<'a>(
+pub(crate) fn port<'a>(
     parts: &'a [ResolvedPart],
     end: &End,
     place: &str,
@@ -274,7 +289,9 @@ fn incompatible(
         "assembly": assembly, "id": mate.id, "mate_type": mate.mate_type,
         "base": mate.base.to_string(), "incoming": mate.incoming.to_string(),
     });
-    let mended = if let Some(t) = types.first() {
+    // Faces may be joined in several ways; the plain one is what is mostly meant.
+    let plain = types.iter().find(|t| **t == MateType::FaceToFace);
+    let mended = if let Some(t) = plain.or(types.first()) {
         Some(("mate_type", json!(t)))
     } else if let Some(p) = for_incoming.first() {
         Some(("incoming", json!(p)))

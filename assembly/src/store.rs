@@ -1,6 +1,6 @@
 //! The assemblies on disk: one folder each, below the root and nowhere else.
 //!
-//! `assemblies/NAME/assembly.json` is the specification; beside it lie the report and the STEP file.
+//! `assemblies/NAME/assembly.yaml` is the specification; beside it lie the report and the STEP file.
 //! The root is opened as a capability: whatever a path or a link says, nothing outside it is reached.
 //! Files are written beside their place and moved there, so that a reader or a crash never sees half
 //! of one.
@@ -9,16 +9,19 @@ use std::io::{self, Read, Write};
 use std::path::{Component, Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::name::{self, nearest};
 use assemcad_model::param::clip;
-use assemcad_model::spec::{Assembly, Document, FORMAT};
+use assemcad_model::spec::{Assembly, text};
+use assemcad_model::yaml::MOST_BYTES;
 use cap_std::ambient_authority;
 use cap_std::fs::Dir;
 use serde_json::json;
 
+use crate::draft::Draft;
+
 const ASSEMBLIES: &str = "assemblies";
-const SPECIFICATION: &str = "assembly.json";
+const SPECIFICATION: &str = "assembly.yaml";
 
 /// The root folder.
 #[derive(Debug)]
@@ -93,15 +96,7 @@ impl Store {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Err(self.unknown(id)),
             Err(e) => return Err(file_failed(id, "locked", &e)),
         };
-        let locked = tokio::task::spawn_blocking(move || {
-            rustix::fs::flock(&folder, rustix::fs::FlockOperation::LockExclusive)?;
-            Ok::<_, io::Error>(folder)
-        });
-        match locked.await {
-            Ok(Ok(folder)) => Ok(Lock { _folder: folder }),
-            Ok(Err(e)) => Err(file_failed(id, "locked", &e)),
-            Err(e) => Err(file_failed(id, "locked", &io::Error::other(e.to_string()))),
-        }
+        flock(folder, id).await
     }
 
     /// Makes the folder of an assembly, so that it can be locked. An empty folder is no assembly.
@@ -136,21 +131,16 @@ impl Store {
             )
             .hint("restore the file from a copy, or make the assembly anew under another name")
         };
-        let document: Document =
-            serde_json::from_slice(&bytes).map_err(|e| damaged(format!("line {}", e.line())))?;
-        if document.format != FORMAT {
-            return Err(damaged(format!(
-                "format {} instead of {FORMAT}",
-                document.format
-            )));
+        let text = String::from_utf8(bytes).map_err(|_| damaged("it is no text".to_owned()))?;
+        let draft = Draft::read(&text);
+        let Some(assembly) = draft.assembly else {
+            let why = draft.faults.iter().find(|d| d.severity == Severity::Error);
+            return Err(damaged(why.map_or_else(String::new, ToString::to_string)));
+        };
+        if assembly.id != id {
+            return Err(damaged(format!("it is that of '{}'", clip(&assembly.id))));
         }
-        if document.assembly.id != id {
-            return Err(damaged(format!(
-                "it is that of '{}'",
-                clip(&document.assembly.id)
-            )));
-        }
-        Ok(document.assembly)
+        Ok(assembly)
     }
 
     /// Whether an assembly of this name exists.
@@ -164,12 +154,7 @@ impl Store {
     /// # Errors
     /// When it cannot be written; what was there before is then untouched.
     pub fn save(&self, assembly: &Assembly) -> Result<(), Diagnostic> {
-        check_name("assembly", &assembly.id)?;
-        let document = Document {
-            format: FORMAT,
-            assembly: assembly.clone(),
-        };
-        self.write_json(&specification(&assembly.id), &document)
+        self.write(&specification(&assembly.id), &yaml_bytes(assembly)?)
     }
 
     /// Writes a value as indented JSON; it is on disk when this returns.
@@ -177,10 +162,7 @@ impl Store {
     /// # Errors
     /// When the file cannot be written.
     pub fn write_json<T: serde::Serialize>(&self, path: &str, value: &T) -> Result<(), Diagnostic> {
-        let mut text = serde_json::to_vec_pretty(value)
-            .map_err(|e| Diagnostic::error(Code::Internal, path, e.to_string()))?;
-        text.push(b'\n');
-        self.write(path, &text)
+        self.write(path, &json_bytes(path, value)?)
     }
 
     /// Reads a value from a JSON file, `None` where there is no such file or it holds something else.
@@ -196,13 +178,43 @@ impl Store {
     /// # Errors
     /// When the path leads out of the root, or the file cannot be written.
     pub fn write(&self, path: &str, bytes: &[u8]) -> Result<(), Diagnostic> {
+        self.write_all(&[(path, bytes)])
+    }
+
+    /// Writes files below the root as one step: all are on disk beside their places before the first is
+    /// moved there, so that a full disk or an unwritable folder leaves everything as it was.
+    ///
+    /// # Errors
+    /// As [`Store::write`].
+    pub fn write_all(&self, files: &[(&str, &[u8])]) -> Result<(), Diagnostic> {
+        let mut ready: Vec<Part> = Vec::new();
+        for (path, bytes) in files {
+            match self.prepare(path, bytes) {
+                Ok(part) => ready.push(part),
+                Err(d) => {
+                    ready.iter().for_each(Part::remove);
+                    return Err(d);
+                }
+            }
+        }
+        for (done, part) in ready.iter().enumerate() {
+            if let Err(d) = part.keep() {
+                ready.iter().skip(done).for_each(Part::remove);
+                return Err(d);
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes a file beside its place.
+    fn prepare(&self, path: &str, bytes: &[u8]) -> Result<Part, Diagnostic> {
         let inside = inside(path)?;
         let folder = inside.parent().unwrap_or(Path::new(""));
         let name = inside
             .file_name()
             .and_then(|n| n.to_str())
             .unwrap_or_default();
-        let write = || -> io::Result<()> {
+        let write = || -> io::Result<Part> {
             let here = if folder.as_os_str().is_empty() {
                 self.root.try_clone()?
             } else {
@@ -216,24 +228,70 @@ impl Store {
             };
             // Two writers of one file, in this process or another, never share their unfinished file.
             let count = self.written.fetch_add(1, Ordering::Relaxed);
-            let part = format!(".{name}.{}-{count}", std::process::id());
+            let part = Part {
+                beside: format!(".{name}.{}-{count}", std::process::id()),
+                name: name.to_owned(),
+                path: path.to_owned(),
+                here,
+            };
             let written = (|| {
-                let mut file = here.create(&part)?;
+                let mut file = part.here.create(&part.beside)?;
                 file.write_all(bytes)?;
-                file.sync_all()?;
-                here.rename(&part, &here, name)?;
-                // The new name itself is on disk only when the folder is.
-                here.open(".")?.sync_all()
+                file.sync_all()
             })();
-            if written.is_err() {
-                let _ = here.remove_file(&part);
+            if let Err(e) = written {
+                part.remove();
+                return Err(e);
             }
-            written
+            Ok(part)
         };
-        write().map_err(|e| match e.kind() {
+        write().map_err(|e| not_written(path, &e))
+    }
+
+    /// Reads a text file below the root that a client names.
+    ///
+    /// # Errors
+    /// When the path leads out of the root, or there is no such text of at most [`MOST_BYTES`].
+    pub fn read_text(&self, path: &str) -> Result<String, Diagnostic> {
+        let inside = inside(path)?;
+        let read = || -> io::Result<String> {
+            // Opening a pipe would wait for whoever writes to it.
+            let facts = self.root.metadata(inside)?;
+            if !facts.is_file() {
+                return Err(io::Error::other("this is no file"));
+            }
+            if facts.len() > MOST_BYTES as u64 {
+                return Err(io::Error::other("the file is too long"));
+            }
+            let mut text = String::new();
+            let file = self.root.open(inside)?;
+            // It may have grown since; what is longer is refused by its reader.
+            file.take(MOST_BYTES as u64 + 1).read_to_string(&mut text)?;
+            Ok(text)
+        };
+        read().map_err(|e| match e.kind() {
             io::ErrorKind::PermissionDenied => outside(path),
-            _ => file_failed(path, "written", &e),
+            io::ErrorKind::Other => Diagnostic::error(
+                Code::FileFailed,
+                clip(path),
+                format!("it could not be read: {e}"),
+            ),
+            _ => file_failed(path, "read", &e),
         })
+    }
+
+    /// Holds a folder below the root, which is made where it is missing, against every other writer.
+    pub(crate) async fn lock_folder(&self, folder: &str) -> Result<Lock, Diagnostic> {
+        self.root
+            .create_dir_all(folder)
+            .map_err(|e| file_failed(folder, "made", &e))?;
+        let open = self.root.open(folder);
+        flock(
+            open.map_err(|e| file_failed(folder, "locked", &e))?
+                .into_std(),
+            folder,
+        )
+        .await
     }
 
     fn unknown(&self, id: &str) -> Diagnostic {
@@ -255,13 +313,89 @@ impl Store {
     }
 }
 
+/// A file that is written beside its place.
+struct Part {
+    here: Dir,
+    beside: String,
+    name: String,
+    path: String,
+}
+
+impl Part {
+    /// Moves it to its place.
+    fn keep(&self) -> Result<(), Diagnostic> {
+        let keep = || -> io::Result<()> {
+            self.here.rename(&self.beside, &self.here, &self.name)?;
+            // The new name itself is on disk only when the folder is.
+            self.here.open(".")?.sync_all()
+        };
+        keep().map_err(|e| not_written(&self.path, &e))
+    }
+
+    fn remove(&self) {
+        let _ = self.here.remove_file(&self.beside);
+    }
+}
+
+/// The stored form of an assembly. It is read back before it is given out: what is on disk is what was meant.
+///
+/// # Errors
+/// When the name is none, or the text is too long to be read again.
+pub fn yaml_bytes(assembly: &Assembly) -> Result<Vec<u8>, Diagnostic> {
+    check_name("assembly", &assembly.id)?;
+    let wrong = |why: String| Diagnostic::error(Code::Internal, &assembly.id, why);
+    let text = text::write(assembly).map_err(|e| wrong(e.to_string()))?;
+    if text.len() > MOST_BYTES {
+        return Err(Diagnostic::error(
+            Code::FileFailed,
+            "assembly",
+            format!("the specification would be longer than {MOST_BYTES} bytes"),
+        ));
+    }
+    if Draft::read(&text).assembly != Some(assembly.clone().normal()) {
+        return Err(wrong(
+            "the specification does not read back as what it is".to_owned(),
+        ));
+    }
+    Ok(text.into_bytes())
+}
+
+/// A value as indented JSON.
+///
+/// # Errors
+/// When it is none.
+pub fn json_bytes<T: serde::Serialize>(path: &str, value: &T) -> Result<Vec<u8>, Diagnostic> {
+    let mut text = serde_json::to_vec_pretty(value)
+        .map_err(|e| Diagnostic::error(Code::Internal, path, e.to_string()))?;
+    text.push(b'\n');
+    Ok(text)
+}
+
+async fn flock(folder: std::fs::File, name: &str) -> Result<Lock, Diagnostic> {
+    let locked = tokio::task::spawn_blocking(move || {
+        rustix::fs::flock(&folder, rustix::fs::FlockOperation::LockExclusive)?;
+        Ok::<_, io::Error>(folder)
+    });
+    match locked.await {
+        Ok(Ok(folder)) => Ok(Lock { _folder: folder }),
+        Ok(Err(e)) => Err(file_failed(name, "locked", &e)),
+        Err(e) => Err(file_failed(
+            name,
+            "locked",
+            &io::Error::other(e.to_string()),
+        )),
+    }
+}
+
 /// The path of an assembly's file, below the root.
 #[must_use]
 pub fn file_of(id: &str, name: &str) -> String {
     format!("{ASSEMBLIES}/{id}/{name}")
 }
 
-fn specification(id: &str) -> String {
+/// The path of an assembly's specification, below the root.
+#[must_use]
+pub fn specification(id: &str) -> String {
     file_of(id, SPECIFICATION)
 }
 
@@ -299,6 +433,13 @@ fn outside(path: &str) -> Diagnostic {
     )
     .found(path)
     .expected("a relative path without '..' that no link leads out of the root folder")
+}
+
+fn not_written(path: &str, e: &io::Error) -> Diagnostic {
+    match e.kind() {
+        io::ErrorKind::PermissionDenied => outside(path),
+        _ => file_failed(path, "written", e),
+    }
 }
 
 fn file_failed(place: &str, done: &str, e: &io::Error) -> Diagnostic {
@@ -372,7 +513,7 @@ mod tests {
         let root = tempfile::tempdir().unwrap();
         let store = Store::open(root.path()).unwrap();
         store.save(&Assembly::new("a", "")).unwrap();
-        let path = root.path().join("assemblies/a/assembly.json");
+        let path = root.path().join("assemblies/a/assembly.yaml");
         for bad in [
             "",
             "{",

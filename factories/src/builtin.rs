@@ -1,7 +1,7 @@
 //! The sources that are part of the program.
 
 /// Every built-in factory: name and source, sorted by name.
-pub(crate) const ALL: [(&str, &str); 4] = [
+pub(crate) const ALL: [(&str, &str); 5] = [
     (
         "base_frame.housing_block",
         include_str!("../builtin/base_frame.housing_block.star"),
@@ -15,6 +15,7 @@ pub(crate) const ALL: [(&str, &str); 4] = [
         include_str!("../builtin/base_frame.stepped_shaft.star"),
     ),
     ("bearing.ball", include_str!("../builtin/bearing.ball.star")),
+    ("gear.spur", include_str!("../builtin/gear.spur.star")),
 ];
 
 #[cfg(test)]

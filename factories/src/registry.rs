@@ -154,14 +154,33 @@ impl Registry {
         self.factories.values()
     }
 
-    /// The factory of a name.
+    /// The factory of a name, or of the part of a name behind the point where only one has it:
+    /// `rect_plate` for `base_frame.rect_plate`.
     ///
     /// # Errors
-    /// [`Code::FactoryUnknown`] with the nearest names.
+    /// [`Code::FactoryUnknown`] with the nearest names, or with all that the short name could mean.
     pub fn get(&self, name: &str) -> Result<&Factory, Box<Diagnostic>> {
-        self.factories
-            .get(name)
-            .ok_or_else(|| Box::new(self.unknown(name)))
+        if let Some(factory) = self.factories.get(name) {
+            return Ok(factory);
+        }
+        let short = |f: &&Factory| f.name().split_once('.').is_some_and(|(_, s)| s == name);
+        let meant: Vec<&Factory> = self.factories.values().filter(short).collect();
+        match meant.as_slice() {
+            [one] => Ok(one),
+            [] => Err(Box::new(self.unknown(name))),
+            several => {
+                let names: Vec<&str> = several.iter().map(|f| f.name()).collect();
+                Err(Box::new(
+                    Diagnostic::error(
+                        Code::FactoryUnknown,
+                        "factory",
+                        format!("'{}' could mean several factories", clip(name)),
+                    )
+                    .found(name)
+                    .expected(json!(names)),
+                ))
+            }
+        }
     }
 
     fn unknown(&self, name: &str) -> Diagnostic {
@@ -173,10 +192,29 @@ impl Registry {
         .found(name)
         .expected(json!(self.names()))
         .next("list_factories", json!({}));
-        match name::nearest(name, self.names(), 3).as_slice() {
+        match self.nearest(name).as_slice() {
             [] => d,
             near => d.hint(format!("did you mean {}?", near.join(" or "))),
         }
+    }
+
+    /// The names most like a name, best first: by the whole name, and by what is behind the point.
+    fn nearest(&self, wanted: &str) -> Vec<&str> {
+        let short = |n: &str| n.split_once('.').map_or(n, |(_, s)| s).to_owned();
+        let last = short(wanted);
+        let shorts: Vec<(String, &str)> = self.names().into_iter().map(|n| (short(n), n)).collect();
+        let mut near = name::nearest(wanted, self.names(), 3);
+        for s in name::nearest(&last, shorts.iter().map(|(s, _)| s.as_str()), 3) {
+            near.extend(shorts.iter().filter(|(x, _)| x == s).map(|(_, n)| *n));
+        }
+        let mut seen: Vec<&str> = Vec::new();
+        for n in near {
+            if !seen.contains(&n) {
+                seen.push(n);
+            }
+        }
+        seen.truncate(3);
+        seen
     }
 
     /// Evaluates a factory; results are kept, so that the same question costs nothing again.
@@ -192,7 +230,7 @@ impl Registry {
         let checked = factory.check(params)?;
         let key = canonical::to_bytes(&checked)
             .ok()
-            .map(|bytes| (name.to_owned(), bytes));
+            .map(|bytes| (factory.name().to_owned(), bytes));
         if let Some(result) = key
             .as_ref()
             .and_then(|key| self.kept().results.get(key).cloned())
@@ -224,7 +262,7 @@ impl Registry {
         let factory = self.get(name).map_err(|d| vec![*d])?;
         let built = self.build(name, &Map::new())?;
         Ok(Described {
-            name: name.to_owned(),
+            name: factory.name().to_owned(),
             doc: factory.doc().to_owned(),
             params: factory.params().to_vec(),
             schema: factory.schema(),

@@ -1,7 +1,11 @@
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
+#include <TopExp.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopTools_ListOfShape.hxx>
+
+#include <cmath>
 
 #include "common.h"
 
@@ -60,6 +64,65 @@ CommonRaw common_part(const Solid& a, const Pose& at_a, const Solid& b, const Po
   }
   out.center = xyz(props.CentreOfMass());
   out.bounds = raw_bounds(tight_box(op.Shape()));
+  return out;
+}
+
+namespace {
+
+// A face by its number in the order of `faces`.
+TopoDS_Shape face_of(const TopoDS_Shape& shape, std::uint32_t index) {
+  TopTools_IndexedMapOfShape map;
+  TopExp::MapShapes(shape, TopAbs_FACE, map);
+  const Standard_Integer i = static_cast<Standard_Integer>(index) + 1;
+  if (i < 1 || i > map.Extent()) {
+    throw Refused("there is no face of this number");
+  }
+  return map(i);
+}
+
+// Wider than what placing leaves between faces that touch, narrower than any gap that is meant.
+constexpr double FUZZ = 2e-6;
+
+}  // namespace
+
+// The area that two faces in the same surface have in common.
+AreaRaw face_common(const Solid& a, const Pose& at_a, std::uint32_t face_a, const Solid& b,
+                    const Pose& at_b, std::uint32_t face_b) {
+  AreaRaw out{};
+  const TopoDS_Shape first = face_of(moved(a, at_a), face_a);
+  const TopoDS_Shape second = face_of(moved(b, at_b), face_b);
+  Bnd_Box one;
+  Bnd_Box two;
+  BRepBndLib::Add(first, one, Standard_False);
+  BRepBndLib::Add(second, two, Standard_False);
+  one.Enlarge(FUZZ);
+  if (one.IsOut(two)) {
+    return out;
+  }
+  BRepAlgoAPI_Common op;
+  TopTools_ListOfShape arguments;
+  TopTools_ListOfShape tools;
+  arguments.Append(first);
+  tools.Append(second);
+  op.SetArguments(arguments);
+  op.SetTools(tools);
+  op.SetFuzzyValue(FUZZ);
+  op.SetNonDestructive(Standard_True);
+  op.SetRunParallel(Standard_False);
+  op.Build();
+  if (op.HasErrors()) {
+    throw Invalid(joined(alerts(op.GetReport(), Message_Fail)));
+  }
+  if (!op.IsDone() || op.Shape().IsNull()) {
+    throw Invalid("the operation did not end");
+  }
+  out.warnings = alerts(op.GetReport(), Message_Warning);
+  TopTools_IndexedMapOfShape pieces;
+  TopExp::MapShapes(op.Shape(), TopAbs_FACE, pieces);
+  for (Standard_Integer i = 1; i <= pieces.Extent(); ++i) {
+    // A reversed face counts as much.
+    out.area += std::abs(surface_props(pieces(i)).Mass());
+  }
   return out;
 }
 

@@ -84,6 +84,7 @@ struct FaceRaw;
 struct EdgeRaw;
 struct DistanceRaw;
 struct CommonRaw;
+struct AreaRaw;
 struct MeshRaw;
 struct HeaderRaw;
 struct LeafRaw;
@@ -131,6 +132,8 @@ rust::Vec<EdgeRaw> edges(const Solid& solid);
 // pair.cpp
 DistanceRaw distance(const Solid& a, const Pose& at_a, const Solid& b, const Pose& at_b);
 CommonRaw common_part(const Solid& a, const Pose& at_a, const Solid& b, const Pose& at_b);
+AreaRaw face_common(const Solid& a, const Pose& at_a, std::uint32_t face_a, const Solid& b,
+                    const Pose& at_b, std::uint32_t face_b);
 
 // mesh.cpp
 MeshRaw mesh(const Solid& solid, double deflection, double angle);

@@ -115,6 +115,12 @@ pub mod bridge {
     }
 
     #[derive(Debug)]
+    struct AreaRaw {
+        area: f64,
+        warnings: Vec<String>,
+    }
+
+    #[derive(Debug)]
     struct MeshRaw {
         positions: Vec<f64>,
         normals: Vec<f64>,
@@ -180,6 +186,14 @@ pub mod bridge {
         fn edges(solid: &Solid) -> Result<Vec<EdgeRaw>>;
         fn distance(a: &Solid, at_a: &Pose, b: &Solid, at_b: &Pose) -> Result<DistanceRaw>;
         fn common_part(a: &Solid, at_a: &Pose, b: &Solid, at_b: &Pose) -> Result<CommonRaw>;
+        fn face_common(
+            a: &Solid,
+            at_a: &Pose,
+            face_a: u32,
+            b: &Solid,
+            at_b: &Pose,
+            face_b: u32,
+        ) -> Result<AreaRaw>;
         fn mesh(solid: &Solid, deflection: f64, angle: f64) -> Result<MeshRaw>;
 
         fn to_bytes(solid: &Solid) -> Result<Vec<u8>>;

@@ -7,6 +7,7 @@
 use opencascade_sys as _;
 
 pub mod booleans;
+pub mod contact;
 pub mod dress;
 pub mod error;
 pub mod facts;
@@ -16,6 +17,7 @@ pub mod mesh;
 pub mod pair;
 pub mod pool;
 pub mod primitives;
+pub mod probe;
 mod profile;
 pub mod protocol;
 pub mod query;

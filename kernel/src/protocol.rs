@@ -6,9 +6,12 @@
 use std::io::{self, Read, Write};
 
 use assemcad_model::frame::Rows;
+use assemcad_model::probe::{Answer, Probe};
 use assemcad_model::recipe::Recipe;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+
+use crate::contact::{Touch, Where};
 
 /// The longest header or block that is accepted, in bytes.
 pub const MAX_LENGTH: u32 = 1 << 30;
@@ -40,6 +43,22 @@ pub enum Job {
         /// How many points the estimate takes.
         samples: u32,
     },
+    /// What a solid has where its ports are.
+    Probe {
+        /// How to make it.
+        recipe: Recipe,
+        /// What is asked.
+        probes: Vec<Probe>,
+    },
+    /// The area over which two placed solids touch in a stated surface.
+    Contact {
+        /// First solid.
+        a: Box<Placed>,
+        /// Second solid.
+        b: Box<Placed>,
+        /// The surface, in the world.
+        place: Where,
+    },
     /// A STEP file of an assembly, read back after writing.
     Step {
         /// The distinct solids.
@@ -60,6 +79,8 @@ impl Job {
         match self {
             Self::Build { .. } => "build",
             Self::CommonVolume { .. } => "common volume",
+            Self::Probe { .. } => "probes of ports",
+            Self::Contact { .. } => "contact",
             Self::Step { .. } => "STEP export",
         }
     }
@@ -130,6 +151,10 @@ pub enum Reply {
     Built(Built),
     /// Of [`Job::CommonVolume`].
     CommonVolume(CommonVolume),
+    /// Of [`Job::Probe`]: an answer to each probe, in order.
+    Probed(Vec<Answer>),
+    /// Of [`Job::Contact`].
+    Contact(Touch),
     /// Of [`Job::Step`]; the file is the message's block.
     Step(StepFacts),
 }

@@ -10,6 +10,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use assemcad_assembly::Workshop;
+use assemcad_assembly::draft::DEFAULT_ROUNDS;
 use assemcad_factories::Registry;
 use assemcad_kernel::pool::{Config, Limits, Pool};
 use assemcad_kernel::worker;
@@ -51,6 +52,9 @@ struct Serve {
     /// Elapsed time of one kernel request, in seconds, counted from its start.
     #[arg(long, default_value_t = Limits::default().wall_s)]
     worker_wall_s: u64,
+    /// How many wrong rounds a draft has before its decomposition counts as failed.
+    #[arg(long, default_value_t = DEFAULT_ROUNDS)]
+    draft_rounds: usize,
 }
 
 #[derive(Debug, Args)]
@@ -112,7 +116,8 @@ fn serve(options: Serve) -> Result<(), String> {
             wall_s: options.worker_wall_s,
         },
     });
-    let workshop = Workshop::open(&root, registry, pool).map_err(|d| d.to_string())?;
+    let mut workshop = Workshop::open(&root, registry, pool).map_err(|d| d.to_string())?;
+    workshop.draft_rounds = options.draft_rounds;
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
         .build()

@@ -7,11 +7,12 @@ use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
-use assemcad_tools::{Effect, Offer};
+use assemcad_tools::{Effect, Offer, prompts};
 use rmcp::model::{
     CallToolRequestParams, CallToolResponse, CallToolResult, CustomRequest, CustomResult,
-    ErrorCode, Implementation, ListToolsResult, PaginatedRequestParams, ServerCapabilities,
-    ServerConfig, Tool, ToolAnnotations,
+    ErrorCode, GetPromptRequestParams, GetPromptResponse, GetPromptResult, Implementation,
+    ListPromptsResult, ListToolsResult, PaginatedRequestParams, Prompt, PromptArgument,
+    PromptMessage, Role, ServerCapabilities, ServerConfig, Tool, ToolAnnotations,
 };
 use rmcp::service::RequestContext;
 use rmcp::transport::stdio as streams;
@@ -24,12 +25,17 @@ use crate::running::Running;
 /// What a model reads before it sees any tool; clients cut it at 2 KiB.
 const INSTRUCTIONS: &str = "assemcad builds mechanical assemblies that are checked: typed parts with \
 real dimensions, joined port to port by mates, verified, exported as STEP (AP242).\n\
-Way of working: list_factories, describe_factory for those you want (parameters, ports), \
-new_assembly, add_part for each part (the first is the root and stands still), mate to give each \
-further part its place, verify, export_step. Every call names its assembly; every change is on disk \
-when it is answered, and assemblies of earlier sessions are there (list_assemblies).\n\
+The main road is one text and one call: write the whole assembly as YAML (assembly: {id, parts: [{id, \
+factory, params}], mates: [{id, mate_type, base: {ref, port}, incoming: {ref, port}, options, axioms}]}), \
+have it checked by validate_draft, which tells every error at once with its line, mend it, and call \
+realize, which builds, places, verifies and exports it, all or nothing. A machine of 17 parts is one \
+text, not forty calls. The prompt 'decompose' holds the format, the factories and the mates; \
+list_factories and describe_factory tell parameters and ports.\n\
+The fine-grained tools (new_assembly, add_part, mate, remove, verify, export_step) are for changes to \
+what is there. Every change is on disk when it is answered; assemblies of earlier sessions are there \
+(list_assemblies, get_assembly).\n\
 Units: millimetres and degrees. A port's z points out of the material: a face's outward normal, a \
-hole's way out of its mouth, a shaft's way out of its end. Ports are written part:port.\n\
+hole's way out of its mouth, a shaft's way out of its end. Tools write ports as part:port.\n\
 A call that cannot be done answers with diagnostics, each with the place, the value found, the values \
 possible and often the next call to make; nothing is changed then. A verdict is pass, fail or \
 indeterminate; a report also says what was not checked.";
@@ -97,7 +103,11 @@ fn tool(offer: &Offer) -> Tool {
 
 impl ServerHandler for Server {
     fn get_info(&self) -> ServerConfig {
-        ServerConfig::new(ServerCapabilities::builder().enable_tools().build())
+        let capabilities = ServerCapabilities::builder()
+            .enable_tools()
+            .enable_prompts()
+            .build();
+        ServerConfig::new(capabilities)
             .with_server_info(
                 Implementation::new("assemcad", env!("CARGO_PKG_VERSION")).with_title("assemcad"),
             )
@@ -134,10 +144,50 @@ impl ServerHandler for Server {
             ),
             _ => ErrorData::new(
                 ErrorCode::METHOD_NOT_FOUND,
-                format!("there is no method '{method}': this server has tools"),
-                Some(json!({"methods": ["tools/list", "tools/call", "ping"]})),
+                format!("there is no method '{method}': this server has tools and prompts"),
+                Some(
+                    json!({"methods": ["tools/list", "tools/call", "prompts/list", "prompts/get", "ping"]}),
+                ),
             ),
         })
+    }
+
+    async fn list_prompts(
+        &self,
+        _request: Option<PaginatedRequestParams>,
+        _context: RequestContext<RoleServer>,
+    ) -> Result<ListPromptsResult, ErrorData> {
+        let prompt = |p: &prompts::Prompt| {
+            let arguments = p.arguments.iter().map(|a| {
+                PromptArgument::new(a.name)
+                    .with_description(a.description)
+                    .with_required(true)
+            });
+            Prompt::new(p.name, Some(p.description), Some(arguments.collect())).with_title(p.title)
+        };
+        let all = prompts::ALL.iter().map(prompt).collect();
+        Ok(ListPromptsResult::with_all_items(all))
+    }
+
+    async fn get_prompt(
+        &self,
+        request: GetPromptRequestParams,
+        _context: RequestContext<RoleServer>,
+    ) -> Result<GetPromptResponse, ErrorData> {
+        let Some(prompt) = prompts::ALL.iter().find(|p| p.name == request.name) else {
+            let names: Vec<&str> = prompts::ALL.iter().map(|p| p.name).collect();
+            return Err(ErrorData::invalid_params(
+                format!("there is no prompt '{}'", clip(&request.name)),
+                Some(json!({"expected": names})),
+            ));
+        };
+        let given = request.arguments.unwrap_or_default();
+        let text = prompt
+            .text(&self.workshop.registry, &given, self.workshop.draft_rounds)
+            .map_err(|d| ErrorData::invalid_params(d.to_string(), Some(json!(d))))?;
+        let message = PromptMessage::new_text(Role::User, text);
+        let result = GetPromptResult::new(vec![message]).with_description(prompt.description);
+        Ok(result.into())
     }
 
     async fn call_tool(

@@ -1,6 +1,7 @@
 //! Canonical JSON and its hash: the one way in which values become bytes that are compared.
 
 use serde::Serialize;
+use serde_json::{Number, Value};
 use sha2::{Digest, Sha256};
 
 /// Canonical JSON of a value: RFC 8785 (sorted keys, no white space, ECMAScript numbers).
@@ -25,9 +26,47 @@ pub fn hash<T: Serialize>(value: &T) -> Result<String, serde_json::Error> {
     Ok(sha256(&to_bytes(value)?))
 }
 
+/// A number in its one form: a whole number as it is, any other as the shortest text that reads back
+/// as the same double. None for one that no double holds.
+#[must_use]
+pub fn number(n: &Number) -> Option<Number> {
+    n.as_i64()
+        .map(Number::from)
+        .or_else(|| n.as_u64().map(Number::from))
+        .or_else(|| n.as_f64().and_then(Number::from_f64))
+}
+
+/// A value with every number in its one form.
+#[must_use]
+pub fn normal(value: Value) -> Value {
+    match value {
+        Value::Number(n) => Value::Number(number(&n).unwrap_or(n)),
+        Value::Array(items) => Value::Array(items.into_iter().map(normal).collect()),
+        Value::Object(map) => Value::Object(map.into_iter().map(|(k, v)| (k, normal(v))).collect()),
+        other => other,
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use serde_json::json;
+    use serde_json::{Value, json};
+
+    #[test]
+    fn a_number_has_one_form() {
+        for (text, form) in [
+            ("1.50", "1.5"),
+            ("1e2", "100.0"),
+            ("-0", "0"),
+            ("120.0", "120.0"),
+            ("18446744073709551615", "18446744073709551615"),
+            ("0.1000000000000000055511151231257827", "0.1"),
+        ] {
+            let value: Value = serde_json::from_str(text).unwrap();
+            let once = super::normal(value);
+            assert_eq!(once.to_string(), form);
+            assert_eq!(super::normal(once).to_string(), form);
+        }
+    }
 
     #[test]
     fn order_and_number_form_do_not_matter() {

@@ -67,6 +67,20 @@ pub enum Code {
     NameInvalid,
     /// The name is taken by something else.
     NameTaken,
+    /// A text is no YAML, or holds what has no meaning in it.
+    YamlInvalid,
+    /// A comment that is not kept.
+    CommentLost,
+    /// Something in a specification is missing, unknown or of the wrong type.
+    SpecificationInvalid,
+    /// A mate that cites no axiom.
+    AxiomMissing,
+    /// Two parts that land in the same place.
+    Coincident,
+    /// A part that only its teeth hold.
+    Unsupported,
+    /// A draft that was still wrong after as many rounds as there are.
+    DecompositionFailed,
     /// There is no assembly of this name.
     AssemblyUnknown,
     /// There is no part of this name in the assembly.
@@ -101,6 +115,10 @@ pub enum Code {
     WorkerMemoryLimit,
     /// A worker could not be started or spoke nonsense.
     WorkerFailed,
+    /// The solid does not show what a port promises.
+    PortEvidence,
+    /// Mated parts do not touch where their mate promises it.
+    ContactMissing,
     /// Two parts overlap.
     Clash,
     /// A part is not joined to the root.

@@ -13,6 +13,8 @@ pub mod mates;
 pub mod name;
 pub mod param;
 pub mod ports;
+pub mod probe;
 pub mod recipe;
 pub mod report;
 pub mod spec;
+pub mod yaml;

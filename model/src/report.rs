@@ -133,8 +133,20 @@ pub struct MateFacts {
     pub base: String,
     /// Incoming port as `part:port`.
     pub incoming: String,
+    /// The axioms that it cites.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub axioms: Vec<String>,
     /// Whether it holds.
     pub verdict: Verdict,
+    /// Whether the parts touch, where the mate promises it and both have a place.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact: Option<Verdict>,
+    /// The area over which they touch, in mm2, where the mate promises faces.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub contact_area_mm2: Option<f64>,
+    /// The radial play between a hole and what is in it, in mm; negative where it is pressed in.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub radial_play_mm: Option<f64>,
     /// How far it is from holding, where both parts are placed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub residual: Option<Residual>,
@@ -149,9 +161,28 @@ pub struct PairFacts {
     pub b: String,
     /// Whether they are free of a clash.
     pub verdict: Verdict,
+    /// What kind of overlap it is.
+    pub class: Overlapping,
     /// Common volume in mm3, where it could be computed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub common_volume_mm3: Option<f64>,
+    /// Common volume that the mates between them mean, in mm3, where there is one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub allowed_mm3: Option<f64>,
+}
+
+/// The kinds of overlap of two parts.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum Overlapping {
+    /// They have nothing in common, or no more than the report's `tau_mm3`.
+    None,
+    /// They overlap as a mate means it: a press fit, or a thread that stands for itself as a plain cylinder.
+    Expected,
+    /// They overlap by more than that.
+    Clash,
+    /// It could not be told.
+    Unknown,
 }
 
 /// A measured value as it is reported: rounded to a millionth (mm, mm2, mm3), which is below every

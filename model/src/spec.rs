@@ -7,6 +7,10 @@ use serde_json::{Map, Value};
 use crate::canonical;
 use crate::mates::MateType;
 
+pub mod schema;
+pub mod text;
+pub mod tree;
+
 /// The version of the specification's format.
 pub const FORMAT: u32 = 1;
 
@@ -14,10 +18,16 @@ pub const FORMAT: u32 = 1;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Document {
-    /// [`FORMAT`].
+    /// The version of the format; 1 where it is left out.
+    #[serde(default = "current_format")]
+    #[schemars(range(min = 1, max = 1))]
     pub format: u32,
     /// The assembly.
     pub assembly: Assembly,
+}
+
+fn current_format() -> u32 {
+    FORMAT
 }
 
 /// An assembly: typed parts and typed mates between their ports.
@@ -29,9 +39,15 @@ pub struct Assembly {
     /// What it is, in free text.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub description: String,
+    /// Notes in free text: reasons, sources, open questions.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub notes: String,
     /// The part that stands still and carries the others; the first part where none is named.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub root: Option<String>,
+    /// How many independent motions the finished machine is meant to have.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub intended_mobility: Option<u32>,
     /// The parts, in the order in which they were added.
     #[serde(default)]
     pub parts: Vec<Part>,
@@ -51,6 +67,9 @@ pub struct Part {
     /// The parameters that were given; the factory's defaults fill in the rest.
     #[serde(default)]
     pub params: Map<String, Value>,
+    /// Notes in free text.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub notes: String,
 }
 
 /// A mate between two ports.
@@ -68,6 +87,12 @@ pub struct Mate {
     /// The options that were given; the mate type's defaults fill in the rest.
     #[serde(default, skip_serializing_if = "Map::is_empty")]
     pub options: Map<String, Value>,
+    /// The engineering axioms that justify the mate, by their ids.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub axioms: Vec<String>,
+    /// Notes in free text.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub notes: String,
 }
 
 /// One end of a mate.
@@ -94,7 +119,9 @@ impl Assembly {
         Self {
             id: id.to_owned(),
             description: description.to_owned(),
+            notes: String::new(),
             root: None,
+            intended_mobility: None,
             parts: Vec::new(),
             mates: Vec::new(),
         }

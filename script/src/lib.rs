@@ -9,6 +9,7 @@
 
 mod factory;
 mod fault;
+mod involute;
 mod language;
 mod limits;
 mod recorder;

@@ -71,6 +71,7 @@ impl Tool for AddPart {
             id: a.part,
             factory: a.factory,
             params: a.params,
+            notes: String::new(),
         };
         let added = workshop.add_part(&a.assembly, part).await?;
         let short = |p: &assemcad_model::ports::Port| PortShort {

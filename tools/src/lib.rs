@@ -19,8 +19,11 @@ mod list_assemblies;
 mod list_factories;
 mod mate;
 mod new_assembly;
+pub mod prompts;
+mod realize;
 mod remove;
 mod schema;
+mod validate_draft;
 mod verify;
 
 /// One tool.
@@ -131,7 +134,9 @@ pub fn all() -> Vec<Offer> {
         Offer::of::<list_factories::ListFactories>(),
         Offer::of::<mate::MakeMate>(),
         Offer::of::<new_assembly::NewAssembly>(),
+        Offer::of::<realize::Realize>(),
         Offer::of::<remove::Remove>(),
+        Offer::of::<validate_draft::ValidateDraft>(),
         Offer::of::<verify::Verify>(),
     ]
 }
@@ -139,6 +144,7 @@ pub fn all() -> Vec<Offer> {
 #[cfg(test)]
 mod tests {
     use super::{Effect, all};
+    use serde_json::Value;
 
     #[test]
     fn every_file_is_a_tool_that_is_listed() {
@@ -146,7 +152,7 @@ mod tests {
         let mut files: Vec<String> = files
             .map(|f| f.unwrap().file_name().into_string().unwrap())
             .map(|f| f.trim_end_matches(".rs").to_owned())
-            .filter(|f| !["lib", "arguments", "schema"].contains(&f.as_str()))
+            .filter(|f| !["lib", "arguments", "prompts", "schema"].contains(&f.as_str()))
             .collect();
         files.sort();
         let listed: Vec<&str> = all().iter().map(|t| t.name).collect();
@@ -171,8 +177,10 @@ mod tests {
                 }
             }
             assert_eq!(tool.input_schema["additionalProperties"], false, "{name}");
-            for (field, schema) in tool.input_schema["properties"]
-                .as_object()
+            for (field, schema) in tool
+                .input_schema
+                .get("properties")
+                .and_then(Value::as_object)
                 .into_iter()
                 .flatten()
             {
@@ -181,7 +189,7 @@ mod tests {
                     "{name}.{field} has no description"
                 );
             }
-            assert!(tool.effect != Effect::Removes || name == "remove");
+            assert!(tool.effect != Effect::Removes || ["realize", "remove"].contains(&name));
         }
     }
 }

@@ -34,20 +34,50 @@ pub(crate) struct Arguments {
     /// face_to_face: shift along the base port's y, in mm.
     #[serde(default)]
     v_mm: Option<f64>,
-    /// face_to_face: gap along the base port's normal, in mm.
+    /// snap_to_face: where along the base face's x, 0 to 1; 0.5 is the middle.
+    #[serde(default)]
+    u: Option<f64>,
+    /// snap_to_face: where along the base face's y, 0 to 1.
+    #[serde(default)]
+    v: Option<f64>,
+    /// face_to_face, snap_to_face: gap along the base port's normal, in mm.
     #[serde(default)]
     d_n_mm: Option<f64>,
-    /// coaxial: distance of the ports' origins along the base port's z, in mm. A bore's z points out of
-    /// its mouth, so a negative distance goes in.
+    /// coaxial, press_fit: distance of the ports' origins along the base port's z, in mm (a bore's z
+    /// points out of its mouth: a negative distance goes in). coaxial_face: gap between the seats.
     #[serde(default)]
     d_mm: Option<f64>,
-    /// coaxial: whether the ports' z axes look against each other ('opposed', the default) or the
-    /// same way ('same').
+    /// coaxial, press_fit: whether the ports' z axes look against each other ('opposed', the default)
+    /// or the same way ('same').
     #[serde(default)]
     direction: Option<Direction>,
+    /// thread_engage: length of the thread that is engaged, in mm.
+    #[serde(default)]
+    d_t_mm: Option<f64>,
+    /// thread_engage: how far the screw's end stands out of the hole's far side, in mm.
+    #[serde(default)]
+    through_mm: Option<f64>,
+    /// thread_engage: true leaves the screw motion free, as in a spindle drive.
+    #[serde(default)]
+    free: Option<bool>,
+    /// gear_mesh: module that both gears must have, in mm.
+    #[serde(default)]
+    m: Option<f64>,
+    /// gear_mesh: ratio that they must have, teeth of the incoming by teeth of the base gear.
+    #[serde(default)]
+    r: Option<f64>,
+    /// gear_mesh: direction of the incoming axis from the base port's x, in degrees.
+    #[serde(default)]
+    angle_deg: Option<f64>,
+    /// gear_mesh: play along the pitch circle, in mm; widens the centre distance.
+    #[serde(default)]
+    backlash_mm: Option<f64>,
     /// Turn about the incoming port's z, in degrees.
     #[serde(default)]
     alpha_deg: Option<f64>,
+    /// Ids of the engineering axioms that justify the mate, such as 'C-02'.
+    #[serde(default)]
+    axioms: Vec<String>,
 }
 
 #[derive(Debug, Clone, Copy, Deserialize, Serialize, JsonSchema)]
@@ -90,6 +120,15 @@ impl Arguments {
             ("d_n_mm", self.d_n_mm.map(|v| json!(v))),
             ("d_mm", self.d_mm.map(|v| json!(v))),
             ("direction", self.direction.map(|v| json!(v))),
+            ("u", self.u.map(|v| json!(v))),
+            ("v", self.v.map(|v| json!(v))),
+            ("d_t_mm", self.d_t_mm.map(|v| json!(v))),
+            ("through_mm", self.through_mm.map(|v| json!(v))),
+            ("free", self.free.map(|v| json!(v))),
+            ("m", self.m.map(|v| json!(v))),
+            ("r", self.r.map(|v| json!(v))),
+            ("angle_deg", self.angle_deg.map(|v| json!(v))),
+            ("backlash_mm", self.backlash_mm.map(|v| json!(v))),
             ("alpha_deg", self.alpha_deg.map(|v| json!(v))),
         ];
         all.into_iter()
@@ -103,10 +142,12 @@ impl Tool for MakeMate {
     type Answer = Answer;
     const NAME: &'static str = "mate";
     const TITLE: &'static str = "Mate two ports";
-    const DESCRIPTION: &'static str = "Joins two parts at their ports. face_to_face puts two faces \
-        together, normals opposed; coaxial puts two cylindrical ports on one axis. The first mate \
-        between a part with a place and one without places the latter; one between two placed parts \
-        must hold where they are. A port of the wrong type is refused with those that would fit.";
+    const DESCRIPTION: &'static str = "Joins two parts at their ports. face_to_face: faces together; \
+        coaxial: axes on one line; coaxial_face: axis and seat (a bolt's head); press_fit: shaft in a \
+        hole no wider; thread_engage: screw in thread; gear_mesh: tooth in gap; snap_to_face: a point of \
+        a face. The first mate between a part with a place and one without places the latter; one \
+        between two placed parts must hold where they are. A port of the wrong type is refused with \
+        those that would fit.";
     const EFFECT: Effect = Effect::Adds;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
@@ -123,6 +164,8 @@ impl Tool for MakeMate {
             base,
             incoming,
             options,
+            axioms: a.axioms,
+            notes: String::new(),
         };
         let mated = workshop.mate(&a.assembly, mate).await?;
         Ok(Answer {

@@ -27,7 +27,7 @@ pub(crate) struct Arguments {
     detail: Detail,
 }
 
-fn default_tau() -> f64 {
+pub(crate) fn default_tau() -> f64 {
     DEFAULT_TAU_MM3
 }
 
@@ -76,8 +76,9 @@ impl Tool for Verify {
     type Answer = Answer;
     const NAME: &'static str = "verify";
     const TITLE: &'static str = "Verify an assembly";
-    const DESCRIPTION: &'static str = "Checks an assembly: every part one valid solid, every mate \
-        holding, no two parts overlapping by more than tau, every part joined to the root. Answers \
+    const DESCRIPTION: &'static str = "Checks an assembly: every part one valid solid that shows \
+        its ports, every mate holding and touching where it promises contact, no two parts \
+        overlapping by more than their mates mean and tau, every part joined to the root. Answers \
         pass, fail or indeterminate with what was found and what was not checked, and leaves the \
         whole report as a file. Call it before export_step. 'full' may be long.";
     const EFFECT: Effect = Effect::Adds;

@@ -14,13 +14,21 @@ use crate::protocol::{
     Built, CommonVolume, Doing, Instance, Job, Placed, Product, Reply, Source, StepFacts, StepLeaf,
 };
 use crate::shape::Shape;
-use crate::{pair, replay, step};
+use crate::{contact, pair, replay, step};
 
 /// What stands in a STEP header where it asks for persons.
 const UNSTATED: &str = "not stated";
 
 /// Says what is about to be done.
 type Tell<'a> = &'a mut dyn FnMut(Doing);
+
+fn doing(operation: &str, recipe: Option<String>) -> Doing {
+    Doing {
+        operation: operation.to_owned(),
+        step: None,
+        recipe,
+    }
+}
 
 /// A solid and the SHA-256 of its bytes.
 #[derive(Debug)]
@@ -60,6 +68,20 @@ impl Bench {
             Job::CommonVolume { a, b, samples } => {
                 let common = self.common_volume(a, b, *samples, tell)?;
                 Ok((Reply::CommonVolume(common), Vec::new()))
+            }
+            Job::Probe { recipe, probes } => {
+                let (hash, solid, _) = self.solid(recipe, tell)?;
+                tell(doing("probes of ports", Some(hash)));
+                let answers = solid.shape.probe(probes)?;
+                Ok((Reply::Probed(answers), Vec::new()))
+            }
+            Job::Contact { a, b, place } => {
+                let (_, solid_a, _) = self.solid(&a.recipe, tell)?;
+                let (_, solid_b, _) = self.solid(&b.recipe, tell)?;
+                tell(doing("contact", None));
+                let (at_a, at_b) = (Placement::from(a.placement), Placement::from(b.placement));
+                let touch = contact::touch(&solid_a.shape, &at_a, &solid_b.shape, &at_b, place)?;
+                Ok((Reply::Contact(touch), Vec::new()))
             }
             Job::Step {
                 solids,

@@ -5,7 +5,11 @@ mod booleans;
 #[cfg(test)]
 mod common;
 #[cfg(test)]
+mod contacts;
+#[cfg(test)]
 mod dress;
+#[cfg(test)]
+mod evidence;
 #[cfg(test)]
 mod facts;
 #[cfg(test)]

@@ -1,80 +1,116 @@
 //! `coaxial`: two cylindrical axes on one line. Leaves one spin and one slide free.
 
-use nalgebra::Vector3;
-
-use super::{Condition, MateKind, MateType, Options, Residual, degrees, millimetres};
-use crate::angle::between_deg;
+use super::{
+    Condition, Contact, Freedom, Joint, MateKind, MateType, Residual, SLIDE_Z, SPIN, along_axis,
+    axial_residual_deg, degrees, direction, millimetres, no_overlap, off_axis_mm,
+};
 use crate::frame::Placement;
-use crate::param::{ParamKind, ParamSpec};
 use crate::ports::Port;
-use crate::ports::PortType::{Bore, PressFit, Shaft};
+use crate::ports::PortType::{
+    Bore, CboreSeat, ClearanceHole, Hole, PressFit, Shaft, ThreadExternal, ThreadInternal,
+};
 
 pub(super) static KIND: MateKind = MateKind {
     mate_type: MateType::Coaxial,
     name: "coaxial",
     doc: "Puts the two axes on one line, the incoming port's origin d along the base port's z from \
           the base port's origin; z axes opposed unless direction is 'same'.",
-    // A bore in line with a bore is the paper's own example (housing and gear).
     pairs: &[
+        // A bore in line with a bore is the paper's own example (housing and gear), and holes in line
+        // with holes are how bolt patterns are laid over each other.
         (Bore, Bore),
+        (Bore, ClearanceHole),
+        (Bore, Hole),
         (Bore, PressFit),
         (Bore, Shaft),
+        (Bore, ThreadExternal),
+        (Bore, ThreadInternal),
+        (CboreSeat, ClearanceHole),
+        (CboreSeat, Hole),
+        (CboreSeat, ThreadInternal),
+        (ClearanceHole, Bore),
+        (ClearanceHole, CboreSeat),
+        (ClearanceHole, ClearanceHole),
+        (ClearanceHole, Hole),
+        (ClearanceHole, Shaft),
+        (ClearanceHole, ThreadExternal),
+        (ClearanceHole, ThreadInternal),
+        (Hole, Bore),
+        (Hole, CboreSeat),
+        (Hole, ClearanceHole),
+        (Hole, Hole),
+        (Hole, PressFit),
+        (Hole, Shaft),
+        (Hole, ThreadExternal),
+        (Hole, ThreadInternal),
         (PressFit, Bore),
+        (PressFit, Hole),
         (Shaft, Bore),
+        (Shaft, ClearanceHole),
+        (Shaft, Hole),
+        (ThreadExternal, Bore),
+        (ThreadExternal, ClearanceHole),
+        (ThreadExternal, Hole),
+        (ThreadInternal, Bore),
+        (ThreadInternal, CboreSeat),
+        (ThreadInternal, ClearanceHole),
+        (ThreadInternal, Hole),
+        (ThreadInternal, ThreadInternal),
     ],
     options: || {
         vec![
             millimetres("d_mm", "distance of the origins along the base port's z"),
             degrees("alpha_deg", "turn about the incoming port's z"),
-            ParamSpec {
-                name: "direction".to_owned(),
-                doc: "whether the ports' z axes look against each other or the same way".to_owned(),
-                kind: ParamKind::Choice {
-                    choices: vec!["opposed".to_owned(), "same".to_owned()],
-                    default: "opposed".to_owned(),
-                },
-            },
+            direction(),
         ]
     },
     relative,
     residual,
     conditions,
+    freedom: |_| Freedom::of(&[SPIN, SLIDE_Z]),
+    // A cylinder as thick as its hole has a seat there; with play it may float.
+    contact: |j| (radial_play(j) == Some(0.0)).then_some(Contact::Cylinder),
+    overlap: no_overlap,
+    radial_play,
 };
 
-fn same(o: &Options) -> bool {
-    o.word("direction") == "same"
+fn relative(j: &Joint<'_>) -> Placement {
+    along_axis(j, j.number("d_mm"))
 }
 
-fn relative(o: &Options) -> Placement {
-    let flip = if same(o) {
-        Placement::IDENTITY
-    } else {
-        Placement::rotation_x(180.0)
-    };
-    Placement::translation(0.0, 0.0, o.number("d_mm"))
-        * flip
-        * Placement::rotation_z(o.number("alpha_deg"))
-}
-
-fn residual(o: &Options, actual: &Placement) -> Residual {
-    let [_, _, z] = actual.axes();
-    let wanted = if same(o) { Vector3::z() } else { -Vector3::z() };
-    let origin = actual.origin();
+fn residual(j: &Joint<'_>, actual: &Placement) -> Residual {
     Residual {
-        distance_mm: libm::hypot(origin.x, origin.y),
-        angle_deg: between_deg(&z, &wanted),
+        distance_mm: off_axis_mm(actual),
+        angle_deg: axial_residual_deg(j, actual),
     }
 }
 
+/// The hole and what goes into it; none for two holes in line.
+fn hole_and_inside<'a>(j: &Joint<'a>) -> Option<(&'a Port, &'a Port)> {
+    let inside = |p: &Port| matches!(p.port_type, PressFit | Shaft | ThreadExternal);
+    match (inside(j.base), inside(j.incoming)) {
+        (true, false) => Some((j.incoming, j.base)),
+        (false, true) => Some((j.base, j.incoming)),
+        _ => None,
+    }
+}
+
+/// The outer diameter of what goes inside. A screw is as thick as its nominal diameter.
+fn play(j: &Joint<'_>) -> Option<(f64, f64)> {
+    let (hole, inside) = hole_and_inside(j)?;
+    Some((hole.value("diameter"), inside.value("diameter")))
+}
+
+fn radial_play(j: &Joint<'_>) -> Option<f64> {
+    play(j).map(|(hole, inside)| (hole - inside) / 2.0)
+}
+
 /// What goes inside is not thicker than the hole around it. Fits tighter than that are another mate's.
-fn conditions(base: &Port, incoming: &Port) -> Vec<Condition> {
-    let (hole, inside) = match (base.port_type, incoming.port_type) {
-        (Bore, Bore) => return Vec::new(),
-        (Bore, _) => (base, incoming),
-        _ => (incoming, base),
+fn conditions(j: &Joint<'_>) -> Vec<Condition> {
+    let (Some((hole, inside)), Some((d_hole, d_inside))) = (hole_and_inside(j), play(j)) else {
+        return Vec::new();
     };
-    let diameter = |p: &Port| p.params.get("diameter").copied().unwrap_or(f64::NAN);
-    let (d_hole, d_inside) = (diameter(hole), diameter(inside));
+    // Written so that an unknown diameter is not taken for a fit.
     if d_inside <= d_hole {
         return Vec::new();
     }
@@ -84,39 +120,35 @@ fn conditions(base: &Port, incoming: &Port) -> Vec<Condition> {
             inside.name, hole.name
         ),
         found: d_inside,
-        expected: format!("a diameter of at most {d_hole} mm"),
+        expected: format!("a diameter of at most {d_hole} mm; press_fit allows more"),
     }]
 }
 
 #[cfg(test)]
 mod tests {
-    use super::conditions;
-    use crate::frame::Frame;
-    use crate::ports::{Port, PortType};
-    use std::collections::BTreeMap;
-
-    fn port(port_type: PortType, diameter: f64) -> Port {
-        Port {
-            name: "p".to_owned(),
-            port_type,
-            frame: Frame::WORLD,
-            params: BTreeMap::from([("diameter".to_owned(), diameter)]),
-        }
-    }
+    use crate::mates::tests::{joined, port};
+    use crate::ports::Port;
+    use crate::ports::PortType::{Bore, Shaft};
+    use serde_json::json;
 
     #[test]
     fn a_shaft_thicker_than_its_bore_is_refused_either_way_round() {
-        let (bore, shaft) = (port(PortType::Bore, 20.0), port(PortType::Shaft, 20.01));
-        assert_eq!(conditions(&bore, &shaft).len(), 1);
-        assert_eq!(conditions(&shaft, &bore).len(), 1);
-        assert_eq!(conditions(&bore, &port(PortType::Shaft, 20.0)), Vec::new());
-        assert_eq!(conditions(&bore, &port(PortType::Bore, 30.0)), Vec::new());
-    }
-
-    #[test]
-    fn an_unknown_diameter_is_not_taken_for_a_fit() {
-        let mut shaft = port(PortType::Shaft, 1.0);
-        shaft.params.clear();
-        assert_eq!(conditions(&port(PortType::Bore, 20.0), &shaft).len(), 1);
+        let bore = port(Bore, &[("diameter", 20.0), ("depth", 10.0)]);
+        let shaft = |d: f64| port(Shaft, &[("diameter", d), ("length", 10.0)]);
+        let faults =
+            |a: &Port, b: &Port| joined("coaxial", a, b, json!({}), |k, j| k.conditions(j).len());
+        assert_eq!(faults(&bore, &shaft(20.01)), 1);
+        assert_eq!(faults(&shaft(20.01), &bore), 1);
+        assert_eq!(faults(&bore, &shaft(20.0)), 0);
+        assert_eq!(faults(&bore, &bore), 0);
+        // An unknown diameter is not taken for a fit.
+        assert_eq!(faults(&bore, &port(Shaft, &[])), 1);
+        let play = |d| {
+            joined("coaxial", &bore, &shaft(d), json!({}), |k, j| {
+                k.radial_play(j)
+            })
+        };
+        assert_eq!(play(19.5), Some(0.25));
+        assert_eq!(play(20.0), Some(0.0));
     }
 }

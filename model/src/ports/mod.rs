@@ -1,6 +1,7 @@
 //! Ports: typed, geometry-backed places at which parts are joined.
 //!
-//! One file per port type, each listing the parameters that such a port carries.
+//! One file per port type: the parameters that such a port carries, and the geometric evidence that it
+//! demands of the part's solid.
 
 use std::collections::BTreeMap;
 
@@ -8,11 +9,24 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::frame::Frame;
+use crate::probe::{Probe, Site};
 
+mod bolt_seat;
 mod bore;
+mod cbore_seat;
+mod clearance_hole;
 mod flat_face;
+pub(crate) mod gear_mesh;
+mod hole;
 mod press_fit;
 mod shaft;
+mod snap_fit;
+mod thread_external;
+mod thread_internal;
+mod values;
+
+pub use values::{Allowed, MOST_MM, PortParam, Values};
+use values::{HAND, MODELLED, PITCH, depth, diameter, length, no_rule, thread_rule};
 
 /// A port of a part, in the part's frame.
 ///
@@ -38,35 +52,63 @@ pub struct Port {
 )]
 #[serde(rename_all = "SCREAMING_SNAKE_CASE")]
 pub enum PortType {
+    /// The plane ring on which a fastener sits.
+    BoltSeat,
     /// A cylindrical hole that receives a shaft.
     Bore,
-    /// A planar face.
+    /// The floor of a counterbore.
+    CboreSeat,
+    /// A through hole that a bolt passes with play.
+    ClearanceHole,
+    /// A plane face.
     FlatFace,
+    /// The teeth of a gear.
+    GearMesh,
+    /// A plain cylindrical hole.
+    Hole,
     /// An outer cylinder that is pressed into a hole, such as a bearing's outer ring.
     PressFit,
     /// A cylinder that goes into a bore.
     Shaft,
+    /// The locking face of a snap hook or of its catch.
+    SnapFit,
+    /// A screw's thread.
+    ThreadExternal,
+    /// A threaded hole.
+    ThreadInternal,
 }
 
-/// What a port type is: its name, what it means and which parameters it carries.
+/// What a port type is: its name, what it means, which parameters it carries and what shows it.
 #[derive(Debug)]
 pub struct PortKind {
     /// The type.
     pub port_type: PortType,
     /// The type's name as it is written.
     pub name: &'static str,
-    /// One line on what it is and where its frame sits.
+    /// What it is and where its frame sits.
     pub doc: &'static str,
-    /// The parameters that every port of the type carries: name and meaning.
-    pub params: &'static [(&'static str, &'static str)],
+    /// The parameters that every port of the type carries.
+    pub params: &'static [PortParam],
+    /// What is wrong between parameters that are each in their range.
+    rule: fn(&Values<'_>) -> Vec<String>,
+    /// The geometric evidence of a port whose parameters are in order.
+    evidence: fn(&Values<'_>, &Site) -> Vec<Probe>,
 }
 
 /// Every port type, sorted by name.
-pub static ALL: [&PortKind; 4] = [
+pub static ALL: [&PortKind; 12] = [
+    &bolt_seat::KIND,
     &bore::KIND,
+    &cbore_seat::KIND,
+    &clearance_hole::KIND,
     &flat_face::KIND,
+    &gear_mesh::KIND,
+    &hole::KIND,
     &press_fit::KIND,
     &shaft::KIND,
+    &snap_fit::KIND,
+    &thread_external::KIND,
+    &thread_internal::KIND,
 ];
 
 impl PortType {
@@ -74,10 +116,18 @@ impl PortType {
     #[must_use]
     pub fn kind(self) -> &'static PortKind {
         match self {
+            Self::BoltSeat => &bolt_seat::KIND,
             Self::Bore => &bore::KIND,
+            Self::CboreSeat => &cbore_seat::KIND,
+            Self::ClearanceHole => &clearance_hole::KIND,
             Self::FlatFace => &flat_face::KIND,
+            Self::GearMesh => &gear_mesh::KIND,
+            Self::Hole => &hole::KIND,
             Self::PressFit => &press_fit::KIND,
             Self::Shaft => &shaft::KIND,
+            Self::SnapFit => &snap_fit::KIND,
+            Self::ThreadExternal => &thread_external::KIND,
+            Self::ThreadInternal => &thread_internal::KIND,
         }
     }
 }
@@ -89,32 +139,60 @@ impl core::fmt::Display for PortType {
 }
 
 impl Port {
+    /// The value of a parameter, or its default where the type has one; NaN where there is neither.
+    #[must_use]
+    pub fn value(&self, name: &str) -> f64 {
+        Values::of(self).get(name)
+    }
+
     /// What keeps this port from being well formed: parameters that its type lacks or demands.
     #[must_use]
     pub fn faults(&self) -> Vec<String> {
         let kind = self.port_type.kind();
         let mut faults = Vec::new();
-        for (name, doc) in kind.params {
-            match self.params.get(*name) {
-                None => faults.push(format!("a {} port needs '{name}' ({doc})", kind.name)),
-                Some(v) if !(v.is_finite() && *v > 0.0) => {
-                    faults.push(format!(
-                        "'{name}' of a {} port is a positive number",
-                        kind.name
-                    ));
-                }
+        for p in kind.params {
+            match self.params.get(p.name) {
+                None if p.optional.is_some() => {}
+                None => faults.push(format!(
+                    "a {} port needs '{}' ({})",
+                    kind.name, p.name, p.doc
+                )),
+                Some(v) if !p.allowed.allows(*v) => faults.push(format!(
+                    "'{}' of a {} port is {}, not {v}",
+                    p.name,
+                    kind.name,
+                    p.expected()
+                )),
                 Some(_) => {}
             }
         }
         for name in self.params.keys() {
-            if !kind.params.iter().any(|(known, _)| known == name) {
+            if !kind.params.iter().any(|p| p.name == name) {
                 faults.push(format!("a {} port has no '{name}'", kind.name));
             }
+        }
+        if faults.is_empty() {
+            faults.extend((kind.rule)(&Values::of(self)));
         }
         if let Err(e) = self.frame.placement() {
             faults.push(e.to_string());
         }
         faults
+    }
+
+    /// What the part's solid must show where this port is, in the part's frame.
+    ///
+    /// # Errors
+    /// The port's [`Port::faults`]: a port that is not well formed has no evidence.
+    pub fn evidence(&self) -> Result<Vec<Probe>, Vec<String>> {
+        let faults = self.faults();
+        match self.frame.placement() {
+            Ok(at) if faults.is_empty() => Ok((self.port_type.kind().evidence)(
+                &Values::of(self),
+                &Site::new(at),
+            )),
+            _ => Err(faults),
+        }
     }
 }
 
@@ -129,7 +207,7 @@ mod tests {
         let files = std::fs::read_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/src/ports")).unwrap();
         let mut files: Vec<String> = files
             .map(|f| f.unwrap().file_name().into_string().unwrap())
-            .filter(|f| f != "mod.rs")
+            .filter(|f| f != "mod.rs" && f != "values.rs")
             .map(|f| f.trim_end_matches(".rs").to_uppercase())
             .collect();
         files.sort();

@@ -6,6 +6,7 @@ use starlark::environment::{Globals, GlobalsBuilder};
 
 mod arg;
 mod declare;
+mod gears;
 pub(crate) mod guard;
 mod math;
 mod profiles;
@@ -22,6 +23,7 @@ static GLOBALS: LazyLock<Globals> = LazyLock::new(|| {
         .with(text::functions)
         .with(declare::functions)
         .with(profiles::functions)
+        .with(gears::functions)
         .with(shapes::functions)
         .with(math::functions)
         .with(|builder| builder.namespace("math", math::namespace))

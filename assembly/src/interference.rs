@@ -1,0 +1,416 @@
+//! The check `interference`: no two parts have more in common than their mates mean.
+
+use assemcad_kernel::protocol::{Built, CommonVolume, Job, Placed as PlacedSolid, Reply};
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::report::{Finding, Overlapping, PairFacts, Verdict, rounded};
+use futures::future::join_all;
+use serde_json::{Map, json};
+
+use crate::Workshop;
+use crate::build::{Box3, box_of, diagnostic, unexpected};
+use crate::place::Placed;
+use crate::resolve::Resolved;
+use crate::verify::Run;
+
+/// How many points the estimate takes that a boolean's volume is held against.
+const SAMPLES: u32 = 1000;
+
+/// How much the boxes of solids are widened before they count as apart, in mm. Wider than any
+/// tolerance that the kernel leaves on a valid solid.
+const BOX_MARGIN_MM: f64 = 1e-3;
+
+impl Workshop {
+    pub(crate) async fn check_pairs(
+        &self,
+        resolved: &Resolved,
+        placed: &Placed,
+        built: &[Option<Built>],
+        tau: f64,
+        run: &mut Run,
+    ) -> Vec<PairFacts> {
+        let names = |i: usize| {
+            resolved
+                .parts
+                .get(i)
+                .map(|p| p.id.clone())
+                .unwrap_or_default()
+        };
+        let mut near = Vec::new();
+        let mut cases = 0;
+        let mut unknown = Vec::new();
+        for i in 0..resolved.parts.len() {
+            for j in i + 1..resolved.parts.len() {
+                // Parts without a place are in no pair; connectivity reports them.
+                let (Some(_), Some(_)) = (placed.of(i), placed.of(j)) else {
+                    continue;
+                };
+                cases += 1;
+                match (world_box(built, placed, i), world_box(built, placed, j)) {
+                    (Some(a), Some(b)) if apart(&a, &b) => {}
+                    (Some(_), Some(_)) => near.push((i, j)),
+                    _ => unknown.push((i, j)),
+                }
+            }
+        }
+        let solid = |i: usize| {
+            let (part, placement) = (resolved.parts.get(i)?, placed.of(i)?);
+            Some(PlacedSolid {
+                recipe: part.made.recipe.clone(),
+                placement: placement.into(),
+            })
+        };
+        let results = join_all(near.iter().map(|&(i, j)| async move {
+            match (solid(i), solid(j)) {
+                (Some(a), Some(b)) => self.common_volume(a, b, &names(i), &names(j)).await,
+                _ => Err(Diagnostic::error(
+                    Code::Internal,
+                    "pairs",
+                    "a part lost its place",
+                )),
+            }
+        }))
+        .await;
+        let mut facts = Vec::new();
+        let mut verdict = Verdict::Pass;
+        for ((i, j), result) in near.into_iter().zip(results) {
+            let (a, b) = (names(i), names(j));
+            let allowed = allowed(resolved, i, j);
+            let found = judge(&a, &b, result, tau, &allowed);
+            let fact = PairFacts {
+                verdict: found.verdict,
+                class: found.class,
+                common_volume_mm3: found.volume.map(rounded),
+                allowed_mm3: (!allowed.why.is_empty()).then(|| rounded(allowed.most_mm3)),
+                a,
+                b,
+            };
+            verdict = verdict.and(fact.verdict);
+            run.findings.extend(found.finding);
+            facts.push(fact);
+        }
+        for (i, j) in unknown {
+            verdict = verdict.and(Verdict::Indeterminate);
+            let (a, b) = (names(i), names(j));
+            let place = format!("parts '{a}' and '{b}'");
+            let d = Diagnostic::error(
+                Code::Indeterminate,
+                place,
+                "whether they overlap is not known: one of them could not be made",
+            );
+            run.find(
+                Verdict::Indeterminate,
+                "interference",
+                vec![a.clone(), b.clone()],
+                d,
+            );
+            facts.push(PairFacts {
+                a,
+                b,
+                verdict: Verdict::Indeterminate,
+                class: Overlapping::Unknown,
+                common_volume_mm3: None,
+                allowed_mm3: None,
+            });
+        }
+        let how = format!(
+            "common volume of every pair of placed parts whose boxes meet ({} of {cases}) above {tau} mm3, \
+             held against {SAMPLES} points classified in both solids; an overlap that a mate means is compared \
+             with the mate's, within 1 percent",
+            facts.len()
+        );
+        run.check("interference", verdict, cases, &how);
+        facts
+    }
+
+    async fn common_volume(
+        &self,
+        a: PlacedSolid,
+        b: PlacedSolid,
+        name_a: &str,
+        name_b: &str,
+    ) -> Result<CommonVolume, Diagnostic> {
+        let job = Job::CommonVolume {
+            a: Box::new(a),
+            b: Box::new(b),
+            samples: SAMPLES,
+        };
+        match self.pool.run(&job).await {
+            Ok((Reply::CommonVolume(v), _)) => Ok(v),
+            Ok(_) => Err(unexpected(&job)),
+            Err(f) => Err(diagnostic(&f, &format!("parts '{name_a}' and '{name_b}'"))),
+        }
+    }
+}
+
+/// What is known of a pair after its common volume was asked for.
+struct Judged {
+    verdict: Verdict,
+    class: Overlapping,
+    volume: Option<f64>,
+    finding: Option<Finding>,
+}
+
+/// What two parts may have in common by their mates.
+#[derive(Debug, Default)]
+struct Allowed {
+    mates: Vec<String>,
+    least_mm3: f64,
+    most_mm3: f64,
+    why: Vec<String>,
+}
+
+/// How far an expected overlap may be from what its mates say, as a share of it.
+const SHARE: f64 = 0.01;
+
+fn judge(
+    a: &str,
+    b: &str,
+    result: Result<CommonVolume, Diagnostic>,
+    tau: f64,
+    allowed: &Allowed,
+) -> Judged {
+    let place = format!("parts '{a}' and '{b}'");
+    let mut values = Map::new();
+    let (verdict, class, volume, d) = match result {
+        Err(d) => (Verdict::Indeterminate, Overlapping::Unknown, None, Some(d)),
+        Ok(v) => {
+            let estimate = v.sampled_volume * f64::from(v.inside) / f64::from(v.samples.max(1));
+            values.insert("common_volume_mm3".to_owned(), json!(rounded(v.volume)));
+            values.insert("estimate_mm3".to_owned(), json!(rounded(estimate)));
+            if !allowed.why.is_empty() {
+                values.insert("allowed_mm3".to_owned(), json!(rounded(allowed.most_mm3)));
+                values.insert("allowed_for".to_owned(), json!(allowed.why));
+            }
+            if let Some((min, max, centre)) = v.place {
+                values.insert("centre_mm".to_owned(), json!(centre.map(rounded)));
+                values.insert("box_min_mm".to_owned(), json!(min.map(rounded)));
+                values.insert("box_max_mm".to_owned(), json!(max.map(rounded)));
+            }
+            let (verdict, class, d) = weigh(&place, &v, estimate, tau, allowed);
+            (verdict, class, Some(v.volume), d)
+        }
+    };
+    let finding = d.map(|diagnostic| Finding {
+        verdict,
+        check: "interference".to_owned(),
+        parts: vec![a.to_owned(), b.to_owned()],
+        mates: allowed.mates.clone(),
+        values,
+        diagnostic,
+    });
+    Judged {
+        verdict,
+        class,
+        volume,
+        finding,
+    }
+}
+
+fn weigh(
+    place: &str,
+    v: &CommonVolume,
+    estimate: f64,
+    tau: f64,
+    allowed: &Allowed,
+) -> (Verdict, Overlapping, Option<Diagnostic>) {
+    let most = allowed.most_mm3 * (1.0 + SHARE) + tau;
+    let least = allowed.least_mm3 * (1.0 - SHARE) - tau;
+    let found = rounded(v.volume);
+    if v.volume > most {
+        let d = Diagnostic::error(Code::Clash, place, format!("they overlap by {found} mm3"))
+            .found(found)
+            .hint("change the parameters of one part, or the offsets of the mate that places it");
+        let d = if allowed.why.is_empty() {
+            d.expected(format!("at most {tau} mm3"))
+        } else {
+            let of = allowed.why.join(", ");
+            d.expected(format!("at most {} mm3: {of}", rounded(most)))
+        };
+        return (Verdict::Fail, Overlapping::Clash, Some(d));
+    }
+    let open = |message: String| {
+        Diagnostic::error(Code::Indeterminate, place, message)
+            .hint("treat it as an overlap, or change the parameters slightly and verify again")
+    };
+    let unknown = |d| (Verdict::Indeterminate, Overlapping::Unknown, Some(d));
+    if !agrees(v, estimate, tau) {
+        return unknown(open(format!(
+            "the kernel finds a common volume of {found} mm3, but {} of {} points spread over their common \
+             box lie inside both (about {} mm3)",
+            v.inside,
+            v.samples,
+            rounded(estimate)
+        )));
+    }
+    if !v.warnings.is_empty() {
+        let warned = v.warnings.join("; ");
+        let message = format!("the kernel finds {found} mm3 in common, but warns: {warned}");
+        return unknown(open(message));
+    }
+    if v.volume < least {
+        let d = Diagnostic::error(
+            Code::ContactMissing,
+            place,
+            format!("they overlap by {found} mm3, and their mates mean more"),
+        )
+        .found(found)
+        .expected(format!(
+            "at least {} mm3: {}",
+            rounded(least),
+            allowed.why.join(", ")
+        ))
+        .hint("state the ports' lengths as those of the cylinders alone, without chamfers and grooves");
+        return (Verdict::Fail, Overlapping::Expected, Some(d));
+    }
+    let class = if v.volume > tau {
+        Overlapping::Expected
+    } else {
+        Overlapping::None
+    };
+    (Verdict::Pass, class, None)
+}
+
+/// Whether the sampled points agree with the boolean's volume. Where that is next to nothing, no point may
+/// be inside both. Otherwise their number may be off by five standard deviations of a count, and five.
+fn agrees(v: &CommonVolume, estimate: f64, tau: f64) -> bool {
+    if v.volume <= tau {
+        return estimate <= tau;
+    }
+    let expected = v.volume / v.sampled_volume * f64::from(v.samples);
+    let off = (f64::from(v.inside) - expected).abs();
+    off <= 5.0 * expected.sqrt() + 5.0
+}
+
+/// What the mates between two parts allow, taken together.
+fn allowed(resolved: &Resolved, i: usize, j: usize) -> Allowed {
+    let mut out = Allowed::default();
+    for m in &resolved.mates {
+        if (m.base, m.incoming) != (i, j) && (m.base, m.incoming) != (j, i) {
+            continue;
+        }
+        let overlap = m.mate.mate_type.kind().overlap(&m.joint());
+        out.mates.push(m.mate.id.clone());
+        out.least_mm3 += overlap.least_mm3;
+        out.most_mm3 += overlap.most_mm3;
+        if !overlap.why.is_empty() {
+            out.why
+                .push(format!("{} (mate '{}')", overlap.why, m.mate.id));
+        }
+    }
+    out
+}
+
+fn world_box(built: &[Option<Built>], placed: &Placed, i: usize) -> Option<Box3> {
+    Some(box_of(built.get(i)?.as_ref()?, &placed.of(i)?))
+}
+
+fn apart((a_min, a_max): &Box3, (b_min, b_max): &Box3) -> bool {
+    let gap = |min: &[f64; 3], max: &[f64; 3]| {
+        min.iter()
+            .zip(max)
+            .any(|(lo, hi)| *lo > *hi + BOX_MARGIN_MM)
+    };
+    gap(a_min, b_max) || gap(b_min, a_max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Allowed, Judged, apart, judge};
+    use assemcad_kernel::protocol::CommonVolume;
+    use assemcad_model::diagnostic::{Code, Diagnostic};
+    use assemcad_model::report::{Overlapping, Verdict};
+
+    fn verdict(volume: f64, inside: u32) -> Verdict {
+        warned(volume, inside, Vec::new())
+    }
+
+    fn warned(volume: f64, inside: u32, warnings: Vec<String>) -> Verdict {
+        let v = CommonVolume {
+            volume,
+            place: None,
+            warnings,
+            samples: 1000,
+            inside,
+            sampled_volume: 500.0,
+        };
+        judge("a", "b", Ok(v), 0.001, &Allowed::default()).verdict
+    }
+
+    #[test]
+    fn a_boolean_is_not_believed_alone() {
+        assert_eq!(verdict(0.0, 0), Verdict::Pass);
+        assert_eq!(verdict(0.0011, 0), Verdict::Fail);
+        // The boolean says nothing, 30 of 1000 points say 15 mm3.
+        assert_eq!(verdict(0.0, 30), Verdict::Indeterminate);
+        assert_eq!(verdict(f64::NAN, 0), Verdict::Indeterminate);
+        assert_eq!(
+            warned(0.0, 0, vec!["bad face".to_owned()]),
+            Verdict::Indeterminate
+        );
+        let lost = Diagnostic::error(Code::WorkerCrashed, "", "");
+        assert_eq!(
+            judge("a", "b", Err(lost), 0.001, &Allowed::default()).verdict,
+            Verdict::Indeterminate
+        );
+    }
+
+    /// A press fit that means 6.3 mm3, up to `more` beyond.
+    fn pressed(volume: f64, inside: u32, more: f64) -> Judged {
+        let v = CommonVolume {
+            volume,
+            place: None,
+            warnings: Vec::new(),
+            samples: 1000,
+            inside,
+            sampled_volume: 500.0,
+        };
+        let allowed = Allowed {
+            mates: vec!["m".to_owned()],
+            least_mm3: 6.3,
+            most_mm3: 6.3 + more,
+            why: vec!["the ring".to_owned()],
+        };
+        judge("a", "b", Ok(v), 0.001, &allowed)
+    }
+
+    #[test]
+    fn an_overlap_that_a_mate_means_is_compared_with_it() {
+        // 6.3 of 500 mm3 are 12.6 of 1000 points.
+        let is = |j: Judged, verdict, class| {
+            assert_eq!((j.verdict, j.class), (verdict, class), "{:?}", j.finding);
+        };
+        is(pressed(6.3, 12, 0.0), Verdict::Pass, Overlapping::Expected);
+        is(pressed(6.35, 12, 0.0), Verdict::Pass, Overlapping::Expected);
+        is(pressed(6.38, 12, 0.0), Verdict::Fail, Overlapping::Clash);
+        is(pressed(6.38, 12, 1.0), Verdict::Pass, Overlapping::Expected);
+        is(pressed(6.2, 12, 0.0), Verdict::Fail, Overlapping::Expected);
+        is(pressed(0.0, 0, 0.0), Verdict::Fail, Overlapping::Expected);
+        // The points do not agree with the boolean: 100 of 1000 are 50 mm3.
+        is(
+            pressed(6.3, 100, 0.0),
+            Verdict::Indeterminate,
+            Overlapping::Unknown,
+        );
+        is(
+            pressed(0.0, 12, 0.0),
+            Verdict::Indeterminate,
+            Overlapping::Unknown,
+        );
+        is(
+            pressed(f64::NAN, 12, 0.0),
+            Verdict::Indeterminate,
+            Overlapping::Unknown,
+        );
+    }
+
+    #[test]
+    fn boxes_that_touch_are_not_apart() {
+        let a = ([0.0; 3], [1.0; 3]);
+        assert!(!apart(&a, &([1.0, 0.0, 0.0], [2.0, 1.0, 1.0])));
+        assert!(!apart(&a, &([0.2; 3], [0.8; 3])));
+        assert!(apart(&a, &([0.0, 0.0, 1.01], [1.0, 1.0, 2.0])));
+        assert!(apart(&([0.0, 0.0, 1.01], [1.0, 1.0, 2.0]), &a));
+        // A box that is no number is apart from nothing.
+        assert!(!apart(&([f64::NAN; 3], [f64::NAN; 3]), &a));
+    }
+}

@@ -1,0 +1,289 @@
+//! From a draft to a verified assembly in one step: seven stages, and either all of it or nothing.
+
+use std::time::Instant;
+
+use assemcad_kernel::protocol::Built;
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::report::{Finding, Report, Verdict};
+use assemcad_model::spec::Assembly;
+use futures::future::join_all;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use crate::export::{Exported, Step};
+use crate::resolve::{self, Resolved};
+use crate::state::State;
+use crate::store::{file_of, json_bytes, specification, yaml_bytes};
+use crate::verify::report_file;
+use crate::{Faults, Workshop, place};
+
+/// The stages, in order.
+pub const STAGES: [&str; 7] = [
+    "validate",
+    "resolve_factories",
+    "build_parts",
+    "check_ports",
+    "place",
+    "verify",
+    "export",
+];
+
+/// One stage of a realisation.
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
+pub struct Stage {
+    /// Its name.
+    pub stage: &'static str,
+    /// What it came to; absent where an earlier stage stopped the realisation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub verdict: Option<Verdict>,
+    /// How long it took, in milliseconds. Told here and stored nowhere.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub elapsed_ms: Option<u64>,
+    /// What it did, in a few words.
+    pub summary: String,
+    /// What it found.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub diagnostics: Vec<Diagnostic>,
+    /// What the verification found, worst first.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub findings: Vec<Finding>,
+}
+
+/// A realisation.
+#[derive(Debug)]
+pub struct Realized {
+    /// Name of the draft, where it has one.
+    pub id: Option<String>,
+    /// The seven stages.
+    pub stages: Vec<Stage>,
+    /// What is on disk now; none where everything was left as it was.
+    pub kept: Option<Kept>,
+}
+
+/// What a realisation left on disk.
+#[derive(Debug)]
+pub struct Kept {
+    /// The assembly now.
+    pub state: State,
+    /// Its STEP file.
+    pub exported: Exported,
+    /// Whether another assembly of this name was there before.
+    pub replaced: bool,
+}
+
+/// Stages as they come in, and the time at which the present one began.
+struct Run {
+    stages: Vec<Stage>,
+    began: Instant,
+}
+
+impl Run {
+    fn end(&mut self, verdict: Verdict, summary: String, diagnostics: Vec<Diagnostic>) {
+        let stage = STAGES.get(self.stages.len()).copied().unwrap_or_default();
+        let ms = self.began.elapsed().as_millis();
+        self.stages.push(Stage {
+            stage,
+            verdict: Some(verdict),
+            elapsed_ms: Some(u64::try_from(ms).unwrap_or(u64::MAX)),
+            summary,
+            diagnostics,
+            findings: Vec::new(),
+        });
+        self.began = Instant::now();
+    }
+
+    /// The stages, those that were not reached marked so.
+    fn all(mut self) -> Vec<Stage> {
+        for stage in STAGES.iter().skip(self.stages.len()) {
+            self.stages.push(Stage {
+                stage,
+                verdict: None,
+                elapsed_ms: None,
+                summary: "not run".to_owned(),
+                diagnostics: Vec::new(),
+                findings: Vec::new(),
+            });
+        }
+        self.stages
+    }
+}
+
+/// A stage stopped the realisation; its record is made.
+struct Stopped;
+
+impl Workshop {
+    /// Realises a draft: validates, resolves, builds, checks, places, verifies and exports it. The
+    /// assembly of its name is replaced when every stage went through, and is as it was otherwise.
+    ///
+    /// # Errors
+    /// When the draft's rounds are used up, or the result cannot be written. What is wrong with the
+    /// draft is in its stages.
+    pub async fn realize(
+        &self,
+        text: &str,
+        tau_mm3: f64,
+        keep_failed: bool,
+    ) -> Result<Realized, Faults> {
+        let mut run = Run {
+            stages: Vec::new(),
+            began: Instant::now(),
+        };
+        let checked = self.validate_draft(text).await?;
+        let id = checked.id;
+        let Some(spec) = checked.assembly else {
+            let summary = format!("round {} of {}", checked.round, self.draft_rounds);
+            run.end(Verdict::Fail, summary, checked.diagnostics);
+            return Ok(Realized {
+                id,
+                stages: run.all(),
+                kept: None,
+            });
+        };
+        let summary = format!("{} parts, {} mates", spec.parts.len(), spec.mates.len());
+        run.end(Verdict::Pass, summary, checked.diagnostics);
+        let kept = match self.stages(&spec, tau_mm3, keep_failed, &mut run).await {
+            Ok((resolved, report, step)) => Some(self.keep(&spec, &resolved, &report, step).await?),
+            Err(Stopped) => None,
+        };
+        Ok(Realized {
+            id,
+            stages: run.all(),
+            kept,
+        })
+    }
+
+    async fn stages(
+        &self,
+        spec: &Assembly,
+        tau_mm3: f64,
+        keep_failed: bool,
+        run: &mut Run,
+    ) -> Result<(Resolved, Report, Step), Stopped> {
+        let stop = |run: &mut Run, verdict, faults: Faults| {
+            run.end(verdict, String::new(), faults);
+            Stopped
+        };
+        let resolved = resolve::assembly(&self.registry, spec)
+            .map_err(|faults| stop(run, Verdict::Fail, faults))?;
+        run.end(Verdict::Pass, recipes(&resolved), Vec::new());
+
+        let mut built: Vec<Built> = Vec::new();
+        let mut faults = Vec::new();
+        for result in join_all(resolved.parts.iter().map(|p| self.build(p))).await {
+            match result {
+                Ok(b) => built.push(b),
+                Err(d) => faults.push(d),
+            }
+        }
+        if !faults.is_empty() {
+            return Err(stop(run, verdict_of(&faults), faults));
+        }
+        let summary = format!("{} valid solids", built.len());
+        run.end(Verdict::Pass, summary, Vec::new());
+
+        let (verdict, summary, found) = self.port_stage(&resolved).await;
+        run.end(verdict, summary, found);
+        if verdict == Verdict::Fail && !keep_failed {
+            return Err(Stopped);
+        }
+
+        let placed = place::assembly(&resolved).map_err(|d| stop(run, Verdict::Fail, vec![d]))?;
+        let n = placed.parts.iter().flatten().count();
+        run.end(Verdict::Pass, format!("{n} parts placed"), Vec::new());
+
+        let report = match self.verify_specification(spec, tau_mm3).await {
+            Ok(report) => report,
+            Err(faults) => return Err(stop(run, verdict_of(&faults), faults)),
+        };
+        let summary = format!(
+            "{} checks, {} findings",
+            report.checks.len(),
+            report.findings.len()
+        );
+        run.end(report.verdict, summary, Vec::new());
+        if let Some(stage) = run.stages.last_mut() {
+            stage.findings.clone_from(&report.findings);
+        }
+        if report.verdict == Verdict::Fail && !keep_failed {
+            return Err(Stopped);
+        }
+
+        let step = match self.step(spec).await {
+            Ok(step) => step,
+            Err(faults) => return Err(stop(run, verdict_of(&faults), faults)),
+        };
+        let summary = format!("{} parts, {} bytes", step.instances, step.bytes.len());
+        run.end(Verdict::Pass, summary, Vec::new());
+        Ok((resolved, report, step))
+    }
+
+    /// Whether every solid has at each port what the port's type promises.
+    async fn port_stage(&self, resolved: &Resolved) -> (Verdict, String, Vec<Diagnostic>) {
+        let ports: usize = resolved.parts.iter().map(|p| p.ports().len()).sum();
+        let d = Diagnostic::warning(
+            Code::Indeterminate,
+            "check_ports",
+            "not implemented: whether the solids have what their ports promise is not checked yet",
+        );
+        (Verdict::Indeterminate, format!("{ports} ports"), vec![d])
+    }
+
+    /// Puts specification, report and STEP file on disk as one step.
+    async fn keep(
+        &self,
+        spec: &Assembly,
+        resolved: &Resolved,
+        report: &Report,
+        step: Step,
+    ) -> Result<Kept, Faults> {
+        let one = |d: Diagnostic| vec![d];
+        let id = spec.id.as_str();
+        let state = State::of(spec, resolved).map_err(one)?;
+        let (report_file, step_file) = (report_file(id), file_of(id, &format!("{id}.step")));
+        let yaml = yaml_bytes(spec).map_err(one)?;
+        let json = json_bytes(&report_file, report).map_err(one)?;
+        self.store.make_folder(id).map_err(one)?;
+        let _lock = self.store.lock(id).await.map_err(one)?;
+        let replaced = self.store.exists(id) && self.store.load(id).ok().as_ref() != Some(spec);
+        // The specification last: until it is there, the assembly is the one that it was.
+        self.store
+            .write_all(&[
+                (&step_file, &step.bytes),
+                (&report_file, &json),
+                (&specification(id), &yaml),
+            ])
+            .map_err(one)?;
+        Ok(Kept {
+            state,
+            exported: step.exported(step_file, Some(report.verdict)),
+            replaced,
+        })
+    }
+}
+
+fn recipes(resolved: &Resolved) -> String {
+    let mut factories: Vec<&str> = resolved.parts.iter().map(|p| p.factory.as_str()).collect();
+    factories.sort_unstable();
+    factories.dedup();
+    format!("{} factories: {}", factories.len(), factories.join(", "))
+}
+
+/// A refused geometry is wrong; a worker that was lost leaves the question open.
+fn verdict_of(faults: &[Diagnostic]) -> Verdict {
+    let lost = |d: &Diagnostic| {
+        matches!(
+            d.code,
+            Code::WorkerCrashed
+                | Code::WorkerTimeout
+                | Code::WorkerCpuLimit
+                | Code::WorkerMemoryLimit
+                | Code::WorkerFailed
+                | Code::Indeterminate
+        )
+    };
+    if faults.iter().all(lost) {
+        Verdict::Indeterminate
+    } else {
+        Verdict::Fail
+    }
+}

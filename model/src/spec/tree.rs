@@ -1,0 +1,94 @@
+//! A specification in the tree form: the parts as an ordered dictionary by their names.
+
+use indexmap::IndexMap;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+
+use super::{Assembly, FORMAT, Mate, Part};
+
+/// An assembly in the tree form.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Tree {
+    /// The version of the format; 1 where it is left out.
+    #[serde(default = "super::current_format")]
+    #[schemars(range(min = 1, max = 1))]
+    pub format: u32,
+    /// Name.
+    pub id: String,
+    /// What it is, in free text.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub description: String,
+    /// Notes in free text: reasons, sources, open questions.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub notes: String,
+    /// The part that stands still and carries the others; the first part where none is named.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub root: Option<String>,
+    /// How many independent motions the finished machine is meant to have.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub intended_mobility: Option<u32>,
+    /// The parts by their names, in their order.
+    pub parts_index: IndexMap<String, PartNode>,
+    /// The mates, in their order.
+    #[serde(default)]
+    pub mates: Vec<Mate>,
+}
+
+/// A part in the tree form.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PartNode {
+    /// Name of the factory.
+    pub factory: String,
+    /// The parameters that were given; the factory's defaults fill in the rest.
+    #[serde(default)]
+    pub params: Map<String, Value>,
+    /// Notes in free text.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub notes: String,
+}
+
+impl From<Tree> for Assembly {
+    fn from(tree: Tree) -> Self {
+        let part = |(id, node): (String, PartNode)| Part {
+            id,
+            factory: node.factory,
+            params: node.params,
+            notes: node.notes,
+        };
+        Self {
+            id: tree.id,
+            description: tree.description,
+            notes: tree.notes,
+            root: tree.root,
+            intended_mobility: tree.intended_mobility,
+            parts: tree.parts_index.into_iter().map(part).collect(),
+            mates: tree.mates,
+        }
+    }
+}
+
+impl From<Assembly> for Tree {
+    fn from(assembly: Assembly) -> Self {
+        let node = |p: Part| {
+            let node = PartNode {
+                factory: p.factory,
+                params: p.params,
+                notes: p.notes,
+            };
+            (p.id, node)
+        };
+        Self {
+            format: FORMAT,
+            id: assembly.id,
+            description: assembly.description,
+            notes: assembly.notes,
+            root: assembly.root,
+            intended_mobility: assembly.intended_mobility,
+            parts_index: assembly.parts.into_iter().map(node).collect(),
+            mates: assembly.mates,
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! Drafts realised: one text and one call, all or nothing.
+
+use serde_json::{Value, json};
+
+use crate::drafts::draft;
+use crate::kit::{Kit, near};
+
+const STAGES: [&str; 7] = [
+    "validate",
+    "resolve_factories",
+    "build_parts",
+    "check_ports",
+    "place",
+    "verify",
+    "export",
+];
+
+/// The verdicts of the stages; null where one was not reached.
+fn verdicts(answer: &Value) -> Vec<&str> {
+    let stages = answer["stages"].as_array().unwrap();
+    let names: Vec<&str> = stages
+        .iter()
+        .map(|s| s["stage"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, STAGES);
+    stages
+        .iter()
+        .map(|s| {
+            assert_eq!(s.get("elapsed_ms").is_some(), s.get("verdict").is_some());
+            s["verdict"].as_str().unwrap_or("-")
+        })
+        .collect()
+}
+
+fn findings(answer: &Value) -> Vec<Value> {
+    let found = answer["stages"][5]["findings"].as_array();
+    found.cloned().unwrap_or_default()
+}
+
+#[test]
+fn one_call_makes_what_many_calls_make() {
+    let mut kit = Kit::new();
+    kit.stand("stand");
+    let by_calls = kit.ok("export_step", json!({"assembly": "stand"}));
+    let calls_yaml = std::fs::read_to_string(kit.file("assemblies/stand/assembly.yaml")).unwrap();
+    kit.ok("verify", json!({"assembly": "stand"}));
+    let calls_report = std::fs::read(kit.file("assemblies/stand/report.json")).unwrap();
+
+    // The stored form is a draft itself.
+    let mut other = Kit::new();
+    let answer = other.ok("realize", json!({"draft": calls_yaml}));
+    assert_eq!(answer["realized"], true, "{answer}");
+    assert_eq!(answer["replaced"], false);
+    let v = verdicts(&answer);
+    assert!(!v.contains(&"fail") && !v.contains(&"-"), "{v:?}");
+    assert_eq!(answer["step_sha256"], by_calls["sha256"]);
+    let read = |name: &str| std::fs::read(other.file(&format!("assemblies/stand/{name}"))).unwrap();
+    assert_eq!(read("assembly.yaml"), calls_yaml.as_bytes());
+    // Times are in the answer and in nothing that is stored.
+    assert_eq!(read("report.json"), calls_report);
+    let before = other.files();
+    let again = other.ok("realize", json!({"draft": calls_yaml}));
+    assert_eq!(again["replaced"], false);
+    assert_eq!(other.files(), before);
+}
+
+#[test]
+fn what_fails_leaves_the_assembly_as_it_was() {
+    let mut kit = Kit::new();
+    let good = draft("good_stand");
+    assert_eq!(kit.ok("realize", json!({"draft": good}))["realized"], true);
+    let before = kit.files();
+
+    let invalid = good.replace("top_face", "topp_face");
+    let answer = kit.ok("realize", json!({"draft": invalid}));
+    assert_eq!(verdicts(&answer), ["fail", "-", "-", "-", "-", "-", "-"]);
+    assert_eq!(
+        answer["stages"][0]["diagnostics"][0]["code"],
+        "port_unknown"
+    );
+    assert_eq!(
+        (&answer["realized"], &answer["verdict"]),
+        (&json!(false), &json!("fail"))
+    );
+
+    // A part that the kernel cannot make.
+    let unbuildable = "
+assembly:
+  id: good_stand
+  parts:
+    - {id: a, factory: test.impossible_fillet}
+";
+    let answer = kit.ok("realize", json!({"draft": unbuildable}));
+    assert_eq!(
+        verdicts(&answer),
+        ["pass", "pass", "fail", "-", "-", "-", "-"]
+    );
+    assert_eq!(
+        answer["stages"][2]["diagnostics"][0]["code"],
+        "kernel_failed"
+    );
+    assert_eq!(kit.files(), before);
+
+    // A shaft pushed into the plate: 60 mm of it (segment 1) lie along y through the bearing at z = 55;
+    // a block turned upside down instead overlaps the plate by all of its volume beneath the top.
+    let clash = good.replace(
+        "incoming: {ref: block, port: bottom_face}",
+        "incoming: {ref: block, port: bottom_face}\n      options: {d_n_mm: -5}",
+    );
+    let answer = kit.ok("realize", json!({"draft": clash}));
+    let v = verdicts(&answer);
+    assert_eq!((v[5], v[6]), ("fail", "-"), "{v:?}");
+    assert_eq!(answer["realized"], false);
+    let found = findings(&answer);
+    let clash_found = found
+        .iter()
+        .find(|f| f["diagnostic"]["code"] == "clash")
+        .unwrap();
+    // The block's lowest 5 mm, 80 by 40, lie in the plate.
+    assert!(
+        near(&clash_found["values"]["common_volume_mm3"], 16000.0, 0.01),
+        "{clash_found}"
+    );
+    assert_eq!(kit.files(), before);
+
+    let answer = kit.ok("realize", json!({"draft": clash, "keep_failed": true}));
+    assert_eq!(
+        (&answer["realized"], &answer["replaced"]),
+        (&json!(true), &json!(true))
+    );
+    assert_eq!(answer["verdict"], "fail");
+    assert_ne!(kit.files(), before);
+    let stored = kit.ok("export_step", json!({"assembly": "good_stand"}));
+    assert_eq!(
+        (&stored["verified"], &stored["sha256"]),
+        (&json!("fail"), &answer["step_sha256"])
+    );
+}
+
+#[test]
+fn short_names_are_written_out() {
+    let mut kit = Kit::new();
+    let answer = kit.ok("realize", json!({"draft": draft("good_short_names")}));
+    assert_eq!(answer["realized"], true, "{answer}");
+    let path = kit.file("assemblies/good_short_names/assembly.yaml");
+    let text = std::fs::read_to_string(path).unwrap();
+    assert!(text.contains("factory: base_frame.rect_plate\n"), "{text}");
+    // By calls too, and the second time is the same part.
+    kit.new_assembly("a");
+    for changed in [true, false] {
+        let answer = kit.part("a", "p", "rect_plate", json!({"length": 100}));
+        assert_eq!(answer["changed"], changed);
+    }
+}
+
+#[test]
+fn axioms_and_notes_are_carried_to_report_and_file() {
+    let mut kit = Kit::new();
+    assert_eq!(
+        kit.ok("realize", json!({"draft": draft("good_stand")}))["realized"],
+        true
+    );
+    let report = std::fs::read(kit.file("assemblies/good_stand/report.json")).unwrap();
+    let report: Value = serde_json::from_slice(&report).unwrap();
+    assert_eq!(report["mates"][2]["axioms"], json!(["C-02", "P-01"]));
+    let answer = kit.ok("realize", json!({"draft": draft("good_everything")}));
+    assert_eq!(answer["realized"], true, "{answer}");
+    let path = kit.file("assemblies/good_everything/assembly.yaml");
+    assert_eq!(
+        std::fs::read_to_string(path).unwrap(),
+        "format: 1
+assembly:
+  id: good_everything
+  description: \"All that a specification may hold\"
+  notes: \"Reasons may take\\nseveral lines.\\n\"
+  root: block
+  intended_mobility: 0
+  parts:
+    - id: plate
+      factory: base_frame.rect_plate
+      params: {length: 250, width: 120.5, thickness: 15.0}
+      notes: \"the base\"
+    - id: block
+      factory: base_frame.housing_block
+      params: {}
+  mates:
+    - id: m
+      mate_type: face_to_face
+      base: {ref: plate, port: top_face}
+      incoming: {ref: block, port: bottom_face}
+      options: {u_mm: 10, v_mm: -5.25, d_n_mm: 0, alpha_deg: 90}
+      axioms: [C-01, C-02]
+      notes: \"the block stands across\"
+"
+    );
+}

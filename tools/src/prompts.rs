@@ -1,0 +1,256 @@
+//! The prompts: Markdown with placeholders, filled from the code when they are asked for.
+
+use core::fmt::Write as _;
+
+use assemcad_factories::Registry;
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::mates;
+use assemcad_model::param::{ParamKind, ParamSpec};
+use assemcad_model::ports;
+use assemcad_model::yaml::flow;
+use serde_json::{Map, Value};
+
+/// A prompt.
+#[derive(Debug)]
+pub struct Prompt {
+    /// Name.
+    pub name: &'static str,
+    /// For people: a few words.
+    pub title: &'static str,
+    /// What it is for.
+    pub description: &'static str,
+    /// What it wants to know; all of it is required.
+    pub arguments: &'static [Argument],
+    template: &'static str,
+}
+
+/// An argument of a prompt; a text.
+#[derive(Debug)]
+pub struct Argument {
+    /// Name.
+    pub name: &'static str,
+    /// What it means.
+    pub description: &'static str,
+}
+
+/// Every prompt, sorted by name.
+pub static ALL: [Prompt; 1] = [Prompt {
+    name: "decompose",
+    title: "Design an assembly",
+    description: "Turns a description in words into a valid assembly specification: the format, the \
+                  factories, ports and mates there are, the way of working and frequent mistakes.",
+    arguments: &[Argument {
+        name: "description",
+        description: "What is to be built, in plain words: function, sizes, loads, what is given.",
+    }],
+    template: include_str!("../../prompts/decompose.md"),
+}];
+
+/// The longest description that is taken, in characters.
+const MOST_DESCRIPTION: usize = 20_000;
+
+impl Prompt {
+    /// The text, with what the server knows and what the caller wants filled in.
+    ///
+    /// # Errors
+    /// When an argument is missing, no text, unknown or too long.
+    pub fn text(
+        &self,
+        registry: &Registry,
+        given: &Map<String, Value>,
+        rounds: usize,
+    ) -> Result<String, Diagnostic> {
+        let known = |name: &str| self.arguments.iter().any(|a| a.name == name);
+        if let Some((name, _)) = given.iter().find(|(name, _)| !known(name)) {
+            let name = assemcad_model::param::clip(name);
+            let message = format!("there is no argument '{name}'");
+            return Err(Diagnostic::error(Code::ArgumentInvalid, name, message));
+        }
+        let mut text = self
+            .template
+            .replace("{{FACTORIES}}", &factories(registry))
+            .replace("{{PORTS}}", &port_types())
+            .replace("{{MATES}}", &mate_types())
+            .replace("{{ROUNDS}}", &rounds.to_string());
+        // Last, and each once: what a caller writes is no template.
+        for argument in self.arguments {
+            let value = match given.get(argument.name) {
+                Some(Value::String(s)) if s.chars().count() <= MOST_DESCRIPTION => s.trim(),
+                _ => {
+                    return Err(Diagnostic::error(
+                        Code::ArgumentInvalid,
+                        argument.name,
+                        format!("expected a text of at most {MOST_DESCRIPTION} characters"),
+                    ));
+                }
+            };
+            let place = format!("{{{{{}}}}}", argument.name.to_uppercase());
+            text = text.replacen(&place, value, 1);
+        }
+        Ok(text)
+    }
+}
+
+/// The factories by family, each with its parameters and the ports that it has at their defaults.
+fn factories(registry: &Registry) -> String {
+    let mut out = String::new();
+    let mut family = "";
+    for factory in registry.iter() {
+        let name = factory.name();
+        let space = name.split_once('.').map_or(name, |(space, _)| space);
+        if space != family {
+            if !family.is_empty() {
+                out.push('\n');
+            }
+            family = space;
+            // Writing to a text cannot fail.
+            let _ = write!(out, "**{space}**");
+        }
+        let params: Vec<String> = factory.params().iter().map(parameter).collect();
+        let _ = write!(out, "\n- `{name}({})`", params.join(", "));
+        if let Ok(made) = registry.build(name, &Map::new()) {
+            let _ = write!(out, ": {}", ports_of(&made.recipe.ports));
+        }
+    }
+    out
+}
+
+fn parameter(p: &ParamSpec) -> String {
+    match &p.kind {
+        ParamKind::Choice { choices, .. } => format!("{}={}", p.name, choices.join("|")),
+        ParamKind::Records { fields, .. } => {
+            let fields: Vec<&str> = fields.iter().map(|f| f.name.as_str()).collect();
+            format!("{}=[{{{}}}]", p.name, fields.join(", "))
+        }
+        _ => format!("{}={}", p.name, flow(&short(p.default_value()))),
+    }
+}
+
+/// A whole number without its `.0`.
+fn short(value: Value) -> Value {
+    match value.as_f64() {
+        Some(v) if v.fract() == 0.0 && v.abs() < 1e15 => (v as i64).into(),
+        _ => value,
+    }
+}
+
+/// Ports grouped by their types.
+fn ports_of(all: &[ports::Port]) -> String {
+    let mut groups: Vec<(ports::PortType, Vec<&str>)> = Vec::new();
+    for port in all {
+        match groups.iter_mut().find(|(t, _)| *t == port.port_type) {
+            Some((_, names)) => names.push(&port.name),
+            None => groups.push((port.port_type, vec![&port.name])),
+        }
+    }
+    let groups: Vec<String> = groups
+        .iter()
+        .map(|(t, names)| format!("{} {t}", names.join(", ")))
+        .collect();
+    groups.join("; ")
+}
+
+fn port_types() -> String {
+    let line = |kind: &&ports::PortKind| {
+        let doc = kind.doc.split(". ").next().unwrap_or_default();
+        format!("- `{}`: {}", kind.name, doc.trim_end_matches('.'))
+    };
+    ports::ALL.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+fn mate_types() -> String {
+    let line = |kind: &&mates::MateKind| {
+        let options: Vec<String> = (kind.options)().iter().map(option).collect();
+        let pairs: Vec<String> = kind.pairs.iter().map(|(b, i)| format!("{b}-{i}")).collect();
+        format!(
+            "- `{}({})`: {} Joins {}.",
+            kind.name,
+            options.join(", "),
+            kind.doc,
+            pairs.join(", ")
+        )
+    };
+    mates::ALL.iter().map(line).collect::<Vec<_>>().join("\n")
+}
+
+fn option(p: &ParamSpec) -> String {
+    match &p.kind {
+        ParamKind::Choice { choices, .. } => format!("{}={}", p.name, choices.join("|")),
+        _ => p.name.clone(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ALL;
+    use assemcad_assembly::draft;
+    use assemcad_factories::Registry;
+    use serde_json::json;
+
+    fn text(description: &str) -> String {
+        let given = json!({"description": description});
+        ALL[0]
+            .text(Registry::builtin(), given.as_object().unwrap(), 5)
+            .unwrap()
+    }
+
+    #[test]
+    fn it_fits_and_everything_is_filled_in() {
+        let text = text("a thing with {{MATES}} in it");
+        // What a caller writes stays as it is.
+        assert_eq!(text.matches("{{").count(), 1, "{text}");
+        assert!(text.ends_with("a thing with {{MATES}} in it\n"));
+        // Four characters to a token.
+        let tokens = text.chars().count() / 4;
+        assert!(tokens < 4000, "{tokens} tokens");
+        for name in Registry::builtin().names() {
+            assert!(text.contains(name), "{name}");
+        }
+        for kind in assemcad_model::mates::ALL {
+            assert!(text.contains(&format!("`{}(", kind.name)), "{}", kind.name);
+        }
+        for kind in assemcad_model::ports::ALL {
+            assert!(text.contains(&format!("`{}`", kind.name)), "{}", kind.name);
+        }
+    }
+
+    #[test]
+    fn its_example_is_a_valid_draft() {
+        let text = text("");
+        let example = text.split("```yaml\n").nth(1).unwrap();
+        let example = example.split("```").next().unwrap();
+        let checked = draft::check(Registry::builtin(), example);
+        let codes: Vec<_> = checked.diagnostics.iter().map(|d| d.code).collect();
+        // The comment in it, and nothing else.
+        assert_eq!(codes, [assemcad_model::diagnostic::Code::CommentLost]);
+        assert!(checked.assembly.is_some());
+    }
+
+    #[test]
+    fn arguments_are_checked() {
+        for given in [
+            json!({}),
+            json!({"description": 1}),
+            json!({"description": "a", "x": "b"}),
+        ] {
+            let registry = Registry::builtin();
+            assert!(
+                ALL[0]
+                    .text(registry, given.as_object().unwrap(), 5)
+                    .is_err()
+            );
+        }
+    }
+
+    #[test]
+    fn every_prompt_file_is_listed() {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../prompts");
+        let mut files: Vec<String> = std::fs::read_dir(folder)
+            .unwrap()
+            .map(|f| f.unwrap().file_name().into_string().unwrap())
+            .collect();
+        files.sort();
+        let listed: Vec<String> = ALL.iter().map(|p| format!("{}.md", p.name)).collect();
+        assert_eq!(files, listed);
+    }
+}
