@@ -170,3 +170,24 @@ assembly:
 "
     );
 }
+
+#[test]
+fn comments_in_a_stored_file_are_lost_with_a_warning() {
+    let mut kit = Kit::new();
+    kit.stand("stand");
+    let path = kit.file("assemblies/stand/assembly.yaml");
+    let text = std::fs::read_to_string(&path).unwrap();
+    std::fs::write(
+        &path,
+        text.replace("  mates:\n", "  # how it hangs together\n  mates:\n"),
+    )
+    .unwrap();
+    kit.ok("verify", json!({"assembly": "stand"}));
+    assert!(std::fs::read_to_string(&path).unwrap().contains('#'));
+    let answer = kit.part("stand", "x", "test.block", json!({}));
+    let warning = &answer["state"]["warnings"][0];
+    assert_eq!(warning["code"], "comment_lost");
+    assert_eq!(warning["where"], "assemblies/stand/assembly.yaml, line 17");
+    let answer = kit.part("stand", "y", "test.block", json!({}));
+    assert!(answer["state"].get("warnings").is_none());
+}

@@ -96,3 +96,18 @@ fn a_seat_a_hundredth_off_is_found() {
         "{told}"
     );
 }
+
+#[test]
+fn gears_of_other_thickness_show_their_teeth() {
+    let mut kit = Kit::new();
+    kit.new_assembly("a");
+    for (name, params) in [
+        ("wide", json!({"teeth": 12, "profile_shift": 0.6})),
+        ("narrow", json!({"teeth": 30, "profile_shift": -0.3})),
+        ("thin", json!({"backlash_mm": 0.6})),
+    ] {
+        kit.part("a", name, "gear.spur", params);
+    }
+    let report = kit.ok("verify", json!({"assembly": "a"}));
+    assert_eq!(of_ports(&report), Vec::<Value>::new());
+}

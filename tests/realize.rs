@@ -194,3 +194,63 @@ assembly:
 "
     );
 }
+
+#[test]
+fn the_papers_gear_reducer_loads_and_what_is_wrong_with_it_is_told() {
+    let mut kit = Kit::new();
+    let text = draft("warn_paper_gear_reducer");
+    let answer = kit.ok("realize", json!({"draft": text, "keep_failed": true}));
+    // It loads, builds and is placed as it is written.
+    let v = verdicts(&answer);
+    assert_eq!(
+        (v[0], v[1], v[2], v[4]),
+        ("pass", "pass", "pass", "pass"),
+        "{v:?}"
+    );
+    assert_eq!(answer["realized"], true);
+    // As a machine: the input gear is on no shaft, and nothing but its teeth holds the output gear.
+    let told = answer["stages"][0]["diagnostics"].as_array().unwrap();
+    let told: Vec<(&str, &str)> = told
+        .iter()
+        .map(|d| (d["code"].as_str().unwrap(), d["where"].as_str().unwrap()))
+        .collect();
+    assert_eq!(
+        told,
+        [
+            ("unsupported", "line 8, parts[1]"),
+            ("unsupported", "line 11, parts[2]")
+        ]
+    );
+
+    // Mouth on mouth, the input gear stands before the block (from y = 40 to y = 55), on no shaft. The
+    // output gear meshes beside it, 2 * (20 + 40) / 2 = 60 mm away.
+    let state = answer["state"]["parts"].as_array().unwrap();
+    assert_eq!(state[1]["origin_mm"], json!([0.0, 55.0, 30.0]));
+    let to = state[2]["origin_mm"].as_array().unwrap();
+    let (x, z) = (to[0].as_f64().unwrap(), to[2].as_f64().unwrap() - 30.0);
+    assert!((x * x + z * z - 3600.0).abs() < 1e-3, "{to:?}");
+
+    // Meant inside the housing, as its text has it, the gear (44 mm over its tips) sits in solid metal
+    // around a bore of 25 mm: the clash is found, and nothing is stored.
+    let inside = text.replace("gear_reducer_v1", "inside").replace(
+        "port: bore}\n",
+        "port: bore}\n      options: {direction: same}\n",
+    );
+    let answer = kit.ok("realize", json!({"draft": inside}));
+    assert_eq!(
+        (&answer["realized"], &answer["verdict"]),
+        (&json!(false), &json!("fail"))
+    );
+    let found = findings(&answer);
+    let clash = found
+        .iter()
+        .find(|f| {
+            f["diagnostic"]["code"] == "clash" && f["parts"] == json!(["housing", "input_gear"])
+        })
+        .unwrap();
+    // Between bore and root circle (35 mm) it is all metal, outside the tips there is none.
+    let ring = |d: f64| std::f64::consts::PI / 4.0 * (d * d - 25.0 * 25.0) * 15.0;
+    let common = clash["values"]["common_volume_mm3"].as_f64().unwrap();
+    assert!(ring(35.0) < common && common < ring(44.0), "{common}");
+    assert!(!kit.file("assemblies/inside/assembly.yaml").exists());
+}

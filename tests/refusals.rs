@@ -152,7 +152,7 @@ fn unknown_names_are_answered_with_the_valid_ones() {
 
     let d = kit.refusal("make_coffee", json!({}));
     assert_eq!(d["code"], "tool_unknown");
-    assert_eq!(d["expected"].as_array().unwrap().len(), 10);
+    assert_eq!(d["expected"].as_array().unwrap().len(), 12);
 }
 
 #[test]

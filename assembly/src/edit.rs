@@ -271,8 +271,9 @@ impl Workshop {
     /// Checks the whole specification, writes it, and gives the state it is in.
     fn commit(&self, spec: &Assembly, change: Change) -> Result<State, Faults> {
         let resolved = resolve::assembly(&self.registry, spec)?;
-        let state = State::of(spec, &resolved).map_err(one)?;
+        let mut state = State::of(spec, &resolved).map_err(one)?;
         if change == Change::Made {
+            state.warnings = self.store.lost_by_writing(&spec.id);
             self.store.save(spec).map_err(one)?;
         }
         Ok(state)

@@ -14,7 +14,7 @@ use crate::export::{Exported, Step};
 use crate::resolve::{self, Resolved};
 use crate::state::State;
 use crate::store::{file_of, json_bytes, specification, yaml_bytes};
-use crate::verify::report_file;
+use crate::verify::{self, report_file};
 use crate::{Faults, Workshop, place};
 
 /// The stages, in order.
@@ -44,7 +44,7 @@ pub struct Stage {
     /// What it found.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub diagnostics: Vec<Diagnostic>,
-    /// What the verification found, worst first.
+    /// What the checks of ports and of the whole found.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub findings: Vec<Finding>,
 }
@@ -167,11 +167,11 @@ impl Workshop {
             .map_err(|faults| stop(run, Verdict::Fail, faults))?;
         run.end(Verdict::Pass, recipes(&resolved), Vec::new());
 
-        let mut built: Vec<Built> = Vec::new();
+        let mut built: Vec<Option<Built>> = Vec::new();
         let mut faults = Vec::new();
         for result in join_all(resolved.parts.iter().map(|p| self.build(p))).await {
             match result {
-                Ok(b) => built.push(b),
+                Ok(b) => built.push(Some(b)),
                 Err(d) => faults.push(d),
             }
         }
@@ -181,9 +181,9 @@ impl Workshop {
         let summary = format!("{} valid solids", built.len());
         run.end(Verdict::Pass, summary, Vec::new());
 
-        let (verdict, summary, found) = self.port_stage(&resolved).await;
-        run.end(verdict, summary, found);
-        if verdict == Verdict::Fail && !keep_failed {
+        self.port_stage(&resolved, &built, run).await;
+        let failed = run.stages.last().and_then(|s| s.verdict) == Some(Verdict::Fail);
+        if failed && !keep_failed {
             return Err(Stopped);
         }
 
@@ -218,14 +218,24 @@ impl Workshop {
     }
 
     /// Whether every solid has at each port what the port's type promises.
-    async fn port_stage(&self, resolved: &Resolved) -> (Verdict, String, Vec<Diagnostic>) {
-        let ports: usize = resolved.parts.iter().map(|p| p.ports().len()).sum();
-        let d = Diagnostic::warning(
-            Code::Indeterminate,
-            "check_ports",
-            "not implemented: whether the solids have what their ports promise is not checked yet",
+    async fn port_stage(&self, resolved: &Resolved, built: &[Option<Built>], run: &mut Run) {
+        let mut ports = verify::Run {
+            findings: Vec::new(),
+            checks: Vec::new(),
+        };
+        self.check_ports(resolved, built, &mut ports).await;
+        let cases: usize = ports.checks.iter().map(|c| c.cases).sum();
+        let verdicts = ports.checks.iter().map(|c| c.verdict);
+        // A check that did not take place has passed nothing.
+        let verdict = verdicts.reduce(Verdict::and);
+        run.end(
+            verdict.unwrap_or(Verdict::Indeterminate),
+            format!("{cases} ports, {} findings", ports.findings.len()),
+            Vec::new(),
         );
-        (Verdict::Indeterminate, format!("{ports} ports"), vec![d])
+        if let Some(stage) = run.stages.last_mut() {
+            stage.findings = ports.findings;
+        }
     }
 
     /// Puts specification, report and STEP file on disk as one step.
@@ -238,13 +248,14 @@ impl Workshop {
     ) -> Result<Kept, Faults> {
         let one = |d: Diagnostic| vec![d];
         let id = spec.id.as_str();
-        let state = State::of(spec, resolved).map_err(one)?;
+        let mut state = State::of(spec, resolved).map_err(one)?;
         let (report_file, step_file) = (report_file(id), file_of(id, &format!("{id}.step")));
         let yaml = yaml_bytes(spec).map_err(one)?;
         let json = json_bytes(&report_file, report).map_err(one)?;
         self.store.make_folder(id).map_err(one)?;
         let _lock = self.store.lock(id).await.map_err(one)?;
         let replaced = self.store.exists(id) && self.store.load(id).ok().as_ref() != Some(spec);
+        state.warnings = self.store.lost_by_writing(id);
         // The specification last: until it is there, the assembly is the one that it was.
         self.store
             .write_all(&[

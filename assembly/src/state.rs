@@ -26,6 +26,9 @@ pub struct State {
     pub unplaced: Vec<String>,
     /// SHA-256 of the specification.
     pub specification_sha256: String,
+    /// What the change cost, such as comments in the stored file.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<Diagnostic>,
 }
 
 /// The state of an assembly in a few words, however many parts it has: what a change answers with.
@@ -114,6 +117,7 @@ impl State {
             mates: spec.mates.iter().map(|m| m.id.clone()).collect(),
             unplaced,
             specification_sha256: hash(spec)?,
+            warnings: Vec::new(),
         })
     }
 }

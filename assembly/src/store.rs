@@ -5,9 +5,9 @@
 //! Files are written beside their place and moved there, so that a reader or a crash never sees half
 //! of one.
 
-use std::io::{self, Read, Write};
-use std::path::{Component, Path, PathBuf};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::AtomicU64;
 
 use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::name::{self, nearest};
@@ -19,6 +19,10 @@ use cap_std::fs::Dir;
 use serde_json::json;
 
 use crate::draft::Draft;
+
+mod files;
+
+pub use files::json_bytes;
 
 const ASSEMBLIES: &str = "assemblies";
 const SPECIFICATION: &str = "assembly.yaml";
@@ -143,6 +147,22 @@ impl Store {
         Ok(assembly)
     }
 
+    /// What is lost when a stored specification is written again: comments that people put into it.
+    #[must_use]
+    pub fn lost_by_writing(&self, id: &str) -> Vec<Diagnostic> {
+        let bytes = self.root.read(specification(id)).unwrap_or_default();
+        let faults = String::from_utf8(bytes).map(|text| Draft::read(&text).faults);
+        faults
+            .unwrap_or_default()
+            .into_iter()
+            .filter(|d| d.code == Code::CommentLost)
+            .map(|d| {
+                let place = format!("{}, {}", specification(id), d.place);
+                d.at(place)
+            })
+            .collect()
+    }
+
     /// Whether an assembly of this name exists.
     #[must_use]
     pub fn exists(&self, id: &str) -> bool {
@@ -155,129 +175,6 @@ impl Store {
     /// When it cannot be written; what was there before is then untouched.
     pub fn save(&self, assembly: &Assembly) -> Result<(), Diagnostic> {
         self.write(&specification(&assembly.id), &yaml_bytes(assembly)?)
-    }
-
-    /// Writes a value as indented JSON; it is on disk when this returns.
-    ///
-    /// # Errors
-    /// When the file cannot be written.
-    pub fn write_json<T: serde::Serialize>(&self, path: &str, value: &T) -> Result<(), Diagnostic> {
-        self.write(path, &json_bytes(path, value)?)
-    }
-
-    /// Reads a value from a JSON file, `None` where there is no such file or it holds something else.
-    #[must_use]
-    pub fn read_json<T: serde::de::DeserializeOwned>(&self, path: &str) -> Option<T> {
-        let mut bytes = Vec::new();
-        self.root.open(path).ok()?.read_to_end(&mut bytes).ok()?;
-        serde_json::from_slice(&bytes).ok()
-    }
-
-    /// Writes a file below the root; it is on disk when this returns.
-    ///
-    /// # Errors
-    /// When the path leads out of the root, or the file cannot be written.
-    pub fn write(&self, path: &str, bytes: &[u8]) -> Result<(), Diagnostic> {
-        self.write_all(&[(path, bytes)])
-    }
-
-    /// Writes files below the root as one step: all are on disk beside their places before the first is
-    /// moved there, so that a full disk or an unwritable folder leaves everything as it was.
-    ///
-    /// # Errors
-    /// As [`Store::write`].
-    pub fn write_all(&self, files: &[(&str, &[u8])]) -> Result<(), Diagnostic> {
-        let mut ready: Vec<Part> = Vec::new();
-        for (path, bytes) in files {
-            match self.prepare(path, bytes) {
-                Ok(part) => ready.push(part),
-                Err(d) => {
-                    ready.iter().for_each(Part::remove);
-                    return Err(d);
-                }
-            }
-        }
-        for (done, part) in ready.iter().enumerate() {
-            if let Err(d) = part.keep() {
-                ready.iter().skip(done).for_each(Part::remove);
-                return Err(d);
-            }
-        }
-        Ok(())
-    }
-
-    /// Writes a file beside its place.
-    fn prepare(&self, path: &str, bytes: &[u8]) -> Result<Part, Diagnostic> {
-        let inside = inside(path)?;
-        let folder = inside.parent().unwrap_or(Path::new(""));
-        let name = inside
-            .file_name()
-            .and_then(|n| n.to_str())
-            .unwrap_or_default();
-        let write = || -> io::Result<Part> {
-            let here = if folder.as_os_str().is_empty() {
-                self.root.try_clone()?
-            } else {
-                match self.root.open_dir(folder) {
-                    Err(e) if e.kind() == io::ErrorKind::NotFound => {
-                        self.root.create_dir_all(folder)?;
-                        self.root.open_dir(folder)?
-                    }
-                    other => other?,
-                }
-            };
-            // Two writers of one file, in this process or another, never share their unfinished file.
-            let count = self.written.fetch_add(1, Ordering::Relaxed);
-            let part = Part {
-                beside: format!(".{name}.{}-{count}", std::process::id()),
-                name: name.to_owned(),
-                path: path.to_owned(),
-                here,
-            };
-            let written = (|| {
-                let mut file = part.here.create(&part.beside)?;
-                file.write_all(bytes)?;
-                file.sync_all()
-            })();
-            if let Err(e) = written {
-                part.remove();
-                return Err(e);
-            }
-            Ok(part)
-        };
-        write().map_err(|e| not_written(path, &e))
-    }
-
-    /// Reads a text file below the root that a client names.
-    ///
-    /// # Errors
-    /// When the path leads out of the root, or there is no such text of at most [`MOST_BYTES`].
-    pub fn read_text(&self, path: &str) -> Result<String, Diagnostic> {
-        let inside = inside(path)?;
-        let read = || -> io::Result<String> {
-            // Opening a pipe would wait for whoever writes to it.
-            let facts = self.root.metadata(inside)?;
-            if !facts.is_file() {
-                return Err(io::Error::other("this is no file"));
-            }
-            if facts.len() > MOST_BYTES as u64 {
-                return Err(io::Error::other("the file is too long"));
-            }
-            let mut text = String::new();
-            let file = self.root.open(inside)?;
-            // It may have grown since; what is longer is refused by its reader.
-            file.take(MOST_BYTES as u64 + 1).read_to_string(&mut text)?;
-            Ok(text)
-        };
-        read().map_err(|e| match e.kind() {
-            io::ErrorKind::PermissionDenied => outside(path),
-            io::ErrorKind::Other => Diagnostic::error(
-                Code::FileFailed,
-                clip(path),
-                format!("it could not be read: {e}"),
-            ),
-            _ => file_failed(path, "read", &e),
-        })
     }
 
     /// Holds a folder below the root, which is made where it is missing, against every other writer.
@@ -313,30 +210,6 @@ impl Store {
     }
 }
 
-/// A file that is written beside its place.
-struct Part {
-    here: Dir,
-    beside: String,
-    name: String,
-    path: String,
-}
-
-impl Part {
-    /// Moves it to its place.
-    fn keep(&self) -> Result<(), Diagnostic> {
-        let keep = || -> io::Result<()> {
-            self.here.rename(&self.beside, &self.here, &self.name)?;
-            // The new name itself is on disk only when the folder is.
-            self.here.open(".")?.sync_all()
-        };
-        keep().map_err(|e| not_written(&self.path, &e))
-    }
-
-    fn remove(&self) {
-        let _ = self.here.remove_file(&self.beside);
-    }
-}
-
 /// The stored form of an assembly. It is read back before it is given out: what is on disk is what was meant.
 ///
 /// # Errors
@@ -358,17 +231,6 @@ pub fn yaml_bytes(assembly: &Assembly) -> Result<Vec<u8>, Diagnostic> {
         ));
     }
     Ok(text.into_bytes())
-}
-
-/// A value as indented JSON.
-///
-/// # Errors
-/// When it is none.
-pub fn json_bytes<T: serde::Serialize>(path: &str, value: &T) -> Result<Vec<u8>, Diagnostic> {
-    let mut text = serde_json::to_vec_pretty(value)
-        .map_err(|e| Diagnostic::error(Code::Internal, path, e.to_string()))?;
-    text.push(b'\n');
-    Ok(text)
 }
 
 async fn flock(folder: std::fs::File, name: &str) -> Result<Lock, Diagnostic> {
@@ -414,32 +276,14 @@ pub fn check_name(place: &str, name: &str) -> Result<(), Diagnostic> {
     )
 }
 
-/// A path that names a file below the root, taken by its text alone. Links are the capability's matter.
-fn inside(path: &str) -> Result<&Path, Diagnostic> {
-    let p = Path::new(path);
-    let plain = p.components().all(|c| matches!(c, Component::Normal(_)));
-    if path.is_empty() || path.ends_with('/') || path.contains('\0') || path.len() > 1024 || !plain
-    {
-        return Err(outside(path));
-    }
-    Ok(p)
-}
-
 fn outside(path: &str) -> Diagnostic {
     Diagnostic::error(
         Code::PathInvalid,
         "file",
-        "files are written below the root folder only",
+        "files are read and written below the root folder only",
     )
     .found(path)
     .expected("a relative path without '..' that no link leads out of the root folder")
-}
-
-fn not_written(path: &str, e: &io::Error) -> Diagnostic {
-    match e.kind() {
-        io::ErrorKind::PermissionDenied => outside(path),
-        _ => file_failed(path, "written", e),
-    }
 }
 
 fn file_failed(place: &str, done: &str, e: &io::Error) -> Diagnostic {
@@ -470,42 +314,6 @@ mod tests {
         assert_eq!(again.names().unwrap(), ["stand"]);
         let d = again.load("stnad").unwrap_err();
         assert_eq!(d.expected.unwrap(), serde_json::json!(["stand"]));
-    }
-
-    #[test]
-    fn nothing_outside_the_root_is_written() {
-        let outer = tempfile::tempdir().unwrap();
-        let root = outer.path().join("root");
-        let store = Store::open(&root).unwrap();
-        std::fs::create_dir(outer.path().join("elsewhere")).unwrap();
-        std::os::unix::fs::symlink(outer.path().join("elsewhere"), root.join("link")).unwrap();
-        std::fs::write(outer.path().join("victim"), "safe").unwrap();
-        std::os::unix::fs::symlink(outer.path().join("victim"), root.join("file.step")).unwrap();
-        for path in [
-            "../a.step",
-            "/tmp/a.step",
-            "a/../../b.step",
-            "link/a.step",
-            "",
-            "a/",
-            ".",
-        ] {
-            assert_eq!(code(store.write(path, b"x")), Code::PathInvalid, "{path}");
-        }
-        // A link in the file's own place is replaced, not followed.
-        store.write("file.step", b"x").unwrap();
-        assert_eq!(
-            std::fs::read_to_string(outer.path().join("victim")).unwrap(),
-            "safe"
-        );
-        assert_eq!(
-            std::fs::read_dir(outer.path().join("elsewhere"))
-                .unwrap()
-                .count(),
-            0
-        );
-        store.write("a/b/c.step", b"x").unwrap();
-        assert_eq!(std::fs::read(root.join("a/b/c.step")).unwrap(), b"x");
     }
 
     #[test]

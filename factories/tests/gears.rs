@@ -43,7 +43,9 @@ fn the_ports_of_the_spur_gear() {
         ("internal", 0.0),
         ("module", 2.0),
         ("pressure_angle_deg", 20.0),
+        ("profile_shift", 0.0),
         ("teeth", 20.0),
+        ("thinning", 0.0),
         ("width", 15.0),
     ];
     let found: Vec<(&str, f64)> = mesh.params.iter().map(|(k, v)| (k.as_str(), *v)).collect();

@@ -77,7 +77,7 @@ pub enum Code {
     AxiomMissing,
     /// Two parts that land in the same place.
     Coincident,
-    /// A part that only its teeth hold.
+    /// A part that nothing holds but its teeth, or a hole in line with a hole.
     Unsupported,
     /// A draft that was still wrong after as many rounds as there are.
     DecompositionFailed,

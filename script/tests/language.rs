@@ -280,9 +280,9 @@ fn faults_say_the_line_and_what_to_write() {
         ),
         ("x = math.sqrt(-1)", 3, "no finite value", ""),
         (
-            &format!("{port}(\"p\", \"HOLE\", frame(), {{}})"),
+            &format!("{port}(\"p\", \"HOLLOW\", frame(), {{}})"),
             3,
-            "no port type 'HOLE'",
+            "no port type 'HOLLOW'",
             "FLAT_FACE",
         ),
         (

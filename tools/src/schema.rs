@@ -15,8 +15,8 @@ pub(crate) fn input<T: JsonSchema>() -> Map<String, Value> {
 /// The schema of a tool's answer: either the answer itself or, when the call is refused, diagnostics.
 ///
 /// TypeScript clients hold refusals against this schema too and lose them where they do not fit; a
-/// choice at the root (`oneOf`) is refused by others. So the root says: without `diagnostics`, all of
-/// the answer's own fields are there.
+/// choice at the root (`oneOf`) is refused by others. So the root says: unless `diagnostics` stand
+/// alone, all of the answer's own fields are there.
 pub(crate) fn output<T: JsonSchema>() -> Map<String, Value> {
     let mut schema = of::<T>();
     let required = schema.remove("required").unwrap_or_else(|| json!([]));
@@ -32,10 +32,13 @@ pub(crate) fn output<T: JsonSchema>() -> Map<String, Value> {
         .or_insert_with(|| json!({}))
         .as_object_mut()
     {
-        properties.insert("diagnostics".to_owned(), diagnostics);
+        properties.entry("diagnostics").or_insert(diagnostics);
     }
-    schema.insert("if".to_owned(), json!({"required": ["diagnostics"]}));
-    schema.insert("then".to_owned(), json!({"maxProperties": 1}));
+    schema.insert(
+        "if".to_owned(),
+        json!({"required": ["diagnostics"], "maxProperties": 1}),
+    );
+    schema.insert("then".to_owned(), json!({}));
     schema.insert("else".to_owned(), json!({"required": required}));
     schema
 }
@@ -144,7 +147,6 @@ mod tests {
         for bad in [
             json!({}),
             json!({"name": "x"}),
-            json!({"count": 1, "diagnostics": []}),
             json!({"diagnostics": ["x"]}),
         ] {
             assert!(!schema.is_valid(&bad), "{bad}");

@@ -2,15 +2,14 @@
 
 use assemcad_factories::Registry;
 use assemcad_model::diagnostic::{Code, Diagnostic};
-use assemcad_model::mates::MateType;
 use assemcad_model::name::{self, nearest};
 use assemcad_model::param::clip;
 use assemcad_model::spec::{End, Mate};
 use serde_json::{Value, json};
 
+use super::layout::{coincident, unreached, unsupported};
 use super::read::{Draft, Loose};
-use crate::place;
-use crate::resolve::{self, Resolved, ResolvedMate, ResolvedPart};
+use crate::resolve::{self, ResolvedMate, ResolvedPart};
 
 /// Everything that is wrong with parts and mates. What depends on something that is itself at fault is
 /// not guessed at.
@@ -42,7 +41,7 @@ pub(super) fn check(registry: &Registry, draft: &Draft) -> Vec<Diagnostic> {
     let root = root(draft, &mut found);
     unreached(draft, root, &mut found);
     coincident(draft, &parts, &mates, root, &mut found);
-    unsupported(draft, root, &mut found);
+    unsupported(draft, &mates, root, &mut found);
     found
 }
 
@@ -234,154 +233,4 @@ fn root(draft: &Draft, found: &mut Vec<Diagnostic>) -> Option<usize> {
         found.push(part_unknown(draft, id, draft.place("root")));
     }
     index
-}
-
-/// Parts that no chain of mates joins to the root.
-fn unreached(draft: &Draft, root: Option<usize>, found: &mut Vec<Diagnostic>) {
-    let Some(root) = root else { return };
-    let index = |id: &String| draft.parts.iter().position(|p| p.id.as_ref() == Some(id));
-    let mut reached = vec![false; draft.parts.len()];
-    let mut edges = Vec::new();
-    let mut reach = vec![root];
-    for mate in &draft.mates {
-        let ends: Vec<usize> = mate.joins.iter().filter_map(index).collect();
-        match ends.as_slice() {
-            [a, b] => edges.push((*a, *b)),
-            // Its other end is told as a fault; mended, it may well lead to the root.
-            [one] => reach.push(*one),
-            _ => {}
-        }
-    }
-    while let Some(part) = reach.pop() {
-        match reached.get_mut(part) {
-            Some(seen) if !*seen => *seen = true,
-            _ => continue,
-        }
-        for (a, b) in &edges {
-            if *a == part {
-                reach.push(*b);
-            } else if *b == part {
-                reach.push(*a);
-            }
-        }
-    }
-    let name = |i: usize| draft.parts.get(i).and_then(|p| p.id.as_deref());
-    for (i, _) in reached.iter().enumerate().filter(|(_, seen)| !**seen) {
-        let Some(id) = name(i) else { continue };
-        // Of two parts with one name only the first can be meant; that is told already.
-        if index(&id.to_owned()) != Some(i) {
-            continue;
-        }
-        let root = name(root).unwrap_or_default();
-        let message = format!("no mate joins '{}' to the root '{}'", clip(id), clip(root));
-        let place = draft.place(&format!("parts[{i}]"));
-        found.push(
-            Diagnostic::error(Code::Unconnected, place, message)
-                .hint("add a mate that joins it to a part that has a place, or leave it out"),
-        );
-    }
-}
-
-/// Parts that land in the same place.
-fn coincident(
-    draft: &Draft,
-    parts: &[(usize, ResolvedPart)],
-    mates: &[(usize, ResolvedMate)],
-    root: Option<usize>,
-    found: &mut Vec<Diagnostic>,
-) {
-    let resolved = Resolved {
-        parts: parts.iter().map(|(_, p)| p.clone()).collect(),
-        mates: mates.iter().map(|(_, m)| m.clone()).collect(),
-        root: parts.iter().position(|(i, _)| Some(*i) == root),
-    };
-    let Ok(placed) = place::assembly(&resolved) else {
-        return;
-    };
-    let by = |part: usize| {
-        let mate = placed.placed_by.get(part).copied().flatten()?;
-        resolved.mates.get(mate).map(|m| (mate, m))
-    };
-    for (j, (_, second)) in parts.iter().enumerate() {
-        let Some((mate, m)) = by(j) else { continue };
-        let twin = parts
-            .iter()
-            .enumerate()
-            .take(j)
-            .find_map(|(i, (_, first))| {
-                let (_, n) = by(i)?;
-                let same = first.made.recipe == second.made.recipe;
-                match (placed.of(i), placed.of(j)) {
-                    (Some(a), Some(b)) if same && a == b => Some((first, true)),
-                    _ => (faces_meet(n, m) && shared(n, i, m, j)).then_some((first, false)),
-                }
-            });
-        let Some((first, sure)) = twin else { continue };
-        let index = mates.get(mate).map(|(i, _)| *i).unwrap_or_default();
-        let place = draft.place(&format!("mates[{index}]"));
-        let d = if sure {
-            Diagnostic::error(
-                Code::Coincident,
-                place,
-                format!("'{}' lands in the very place of '{}'", second.id, first.id),
-            )
-        } else {
-            Diagnostic::warning(
-                Code::Coincident,
-                place,
-                format!(
-                    "'{}' lands on the same point of the same face as '{}'",
-                    second.id, first.id
-                ),
-            )
-        };
-        found.push(d.hint("give one of the two mates an offset, or use another port"));
-    }
-}
-
-/// Gears that nothing holds but the teeth of another: no bearing, no shaft, no bore.
-fn unsupported(draft: &Draft, root: Option<usize>, found: &mut Vec<Diagnostic>) {
-    for (i, part) in draft.parts.iter().enumerate() {
-        let Some(id) = part.id.as_ref().filter(|_| Some(i) != root) else {
-            continue;
-        };
-        let mut of = draft
-            .mates
-            .iter()
-            .filter(|m| m.joins.contains(id))
-            .peekable();
-        // A mate whose form is at fault may yet become one that holds it.
-        let teeth = |m: &Loose<Mate>| {
-            let whole = m.whole.as_ref();
-            whole.is_some_and(|m| m.mate_type == MateType::GearMesh)
-        };
-        if of.peek().is_some() && of.all(teeth) {
-            let place = draft.place(&format!("parts[{i}]"));
-            let message = format!("'{}' is held by nothing but its teeth", clip(id));
-            found.push(
-                Diagnostic::warning(Code::Unsupported, place, message)
-                    .hint("mate its bore with a shaft, and the shaft with bearings"),
-            );
-        }
-    }
-}
-
-/// Whether two mates put faces on faces with equal options.
-fn faces_meet(n: &ResolvedMate, m: &ResolvedMate) -> bool {
-    n.mate.mate_type == m.mate.mate_type
-        && n.options == m.options
-        && n.mate.mate_type == MateType::FaceToFace
-}
-
-/// Whether two mates bring their parts (by index) to the same port of the same part.
-fn shared(n: &ResolvedMate, i: usize, m: &ResolvedMate, j: usize) -> bool {
-    let other = |m: &ResolvedMate, part: usize| {
-        if m.base == part {
-            m.mate.incoming.clone()
-        } else {
-            m.mate.base.clone()
-        }
-    };
-    let side = (n.base == i) == (m.base == j);
-    side && other(n, i) == other(m, j)
 }

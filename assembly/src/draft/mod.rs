@@ -11,6 +11,7 @@ use serde_json::json;
 use crate::{Faults, Workshop};
 
 mod check;
+mod layout;
 mod read;
 mod rounds;
 

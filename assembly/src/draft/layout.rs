@@ -1,0 +1,194 @@
+//! What can be wrong with a draft as a whole: where its parts land, and what holds them.
+
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::mates::MateType;
+use assemcad_model::param::clip;
+use assemcad_model::ports::{Port, PortType};
+use assemcad_model::spec::Mate;
+
+use super::read::{Draft, Loose};
+use crate::place;
+use crate::resolve::{Resolved, ResolvedMate, ResolvedPart};
+
+/// Parts that no chain of mates joins to the root.
+pub(super) fn unreached(draft: &Draft, root: Option<usize>, found: &mut Vec<Diagnostic>) {
+    let Some(root) = root else { return };
+    let index = |id: &String| draft.parts.iter().position(|p| p.id.as_ref() == Some(id));
+    let mut reached = vec![false; draft.parts.len()];
+    let mut edges = Vec::new();
+    let mut reach = vec![root];
+    for mate in &draft.mates {
+        let ends: Vec<usize> = mate.joins.iter().filter_map(index).collect();
+        match ends.as_slice() {
+            [a, b] => edges.push((*a, *b)),
+            // Its other end is told as a fault; mended, it may well lead to the root.
+            [one] => reach.push(*one),
+            _ => {}
+        }
+    }
+    while let Some(part) = reach.pop() {
+        match reached.get_mut(part) {
+            Some(seen) if !*seen => *seen = true,
+            _ => continue,
+        }
+        for (a, b) in &edges {
+            if *a == part {
+                reach.push(*b);
+            } else if *b == part {
+                reach.push(*a);
+            }
+        }
+    }
+    let name = |i: usize| draft.parts.get(i).and_then(|p| p.id.as_deref());
+    for (i, _) in reached.iter().enumerate().filter(|(_, seen)| !**seen) {
+        let Some(id) = name(i) else { continue };
+        // Of two parts with one name only the first can be meant; that is told already.
+        if index(&id.to_owned()) != Some(i) {
+            continue;
+        }
+        let root = name(root).unwrap_or_default();
+        let message = format!("no mate joins '{}' to the root '{}'", clip(id), clip(root));
+        let place = draft.place(&format!("parts[{i}]"));
+        found.push(
+            Diagnostic::error(Code::Unconnected, place, message)
+                .hint("add a mate that joins it to a part that has a place, or leave it out"),
+        );
+    }
+}
+
+/// Parts that land in the same place.
+pub(super) fn coincident(
+    draft: &Draft,
+    parts: &[(usize, ResolvedPart)],
+    mates: &[(usize, ResolvedMate)],
+    root: Option<usize>,
+    found: &mut Vec<Diagnostic>,
+) {
+    let resolved = Resolved {
+        parts: parts.iter().map(|(_, p)| p.clone()).collect(),
+        mates: mates.iter().map(|(_, m)| m.clone()).collect(),
+        root: parts.iter().position(|(i, _)| Some(*i) == root),
+    };
+    let Ok(placed) = place::assembly(&resolved) else {
+        return;
+    };
+    let by = |part: usize| {
+        let mate = placed.placed_by.get(part).copied().flatten()?;
+        resolved.mates.get(mate).map(|m| (mate, m))
+    };
+    for (j, (_, second)) in parts.iter().enumerate() {
+        let Some((mate, m)) = by(j) else { continue };
+        let twin = parts
+            .iter()
+            .enumerate()
+            .take(j)
+            .find_map(|(i, (_, first))| {
+                let (_, n) = by(i)?;
+                let same = first.made.recipe == second.made.recipe;
+                match (placed.of(i), placed.of(j)) {
+                    (Some(a), Some(b)) if same && a == b => Some((first, true)),
+                    _ => (faces_meet(n, m) && shared(n, i, m, j)).then_some((first, false)),
+                }
+            });
+        let Some((first, sure)) = twin else { continue };
+        let index = mates.get(mate).map(|(i, _)| *i).unwrap_or_default();
+        let place = draft.place(&format!("mates[{index}]"));
+        let d = if sure {
+            Diagnostic::error(
+                Code::Coincident,
+                place,
+                format!("'{}' lands in the very place of '{}'", second.id, first.id),
+            )
+        } else {
+            Diagnostic::warning(
+                Code::Coincident,
+                place,
+                format!(
+                    "'{}' lands on the same point of the same face as '{}'",
+                    second.id, first.id
+                ),
+            )
+        };
+        found.push(d.hint("give one of the two mates an offset, or use another port"));
+    }
+}
+
+/// Parts that nothing holds: gears in mesh, and holes in line with holes that nothing goes through.
+pub(super) fn unsupported(
+    draft: &Draft,
+    mates: &[(usize, ResolvedMate)],
+    root: Option<usize>,
+    found: &mut Vec<Diagnostic>,
+) {
+    for (i, part) in draft.parts.iter().enumerate() {
+        let Some(id) = part.id.as_ref().filter(|_| Some(i) != root) else {
+            continue;
+        };
+        let of = draft.mates.iter().enumerate();
+        let of: Vec<Hold> = of
+            .filter(|(_, m)| m.joins.contains(id))
+            .map(|(n, m)| hold(m, mates.iter().find(|(k, _)| *k == n).map(|(_, r)| r)))
+            .collect();
+        if of.is_empty() || of.contains(&Hold::Held) {
+            continue;
+        }
+        let why = if of.contains(&Hold::HoleOnHole) {
+            "is in line with a hole, and nothing goes through both that would hold it"
+        } else {
+            "is held by nothing but its teeth"
+        };
+        found.push(
+            Diagnostic::warning(
+                Code::Unsupported,
+                draft.place(&format!("parts[{i}]")),
+                format!("'{}' {why}", clip(id)),
+            )
+            .hint("mate its bore with a shaft, and the shaft with bearings"),
+        );
+    }
+}
+
+/// How a mate holds a part.
+#[derive(Clone, Copy, PartialEq)]
+enum Hold {
+    Held,
+    Teeth,
+    HoleOnHole,
+}
+
+fn hold(mate: &Loose<Mate>, resolved: Option<&ResolvedMate>) -> Hold {
+    let hole = |p: &Port| {
+        matches!(
+            p.port_type,
+            PortType::Bore | PortType::Hole | PortType::ClearanceHole | PortType::ThreadInternal
+        )
+    };
+    match (mate.whole.as_ref().map(|m| m.mate_type), resolved) {
+        (Some(MateType::GearMesh), _) => Hold::Teeth,
+        (Some(MateType::Coaxial), Some(r)) if hole(&r.base_port) && hole(&r.incoming_port) => {
+            Hold::HoleOnHole
+        }
+        // One whose form is at fault may yet become one that holds it.
+        _ => Hold::Held,
+    }
+}
+
+/// Whether two mates put faces on faces with equal options.
+fn faces_meet(n: &ResolvedMate, m: &ResolvedMate) -> bool {
+    n.mate.mate_type == m.mate.mate_type
+        && n.options == m.options
+        && n.mate.mate_type == MateType::FaceToFace
+}
+
+/// Whether two mates bring their parts (by index) to the same port of the same part.
+fn shared(n: &ResolvedMate, i: usize, m: &ResolvedMate, j: usize) -> bool {
+    let other = |m: &ResolvedMate, part: usize| {
+        if m.base == part {
+            m.mate.incoming.clone()
+        } else {
+            m.mate.base.clone()
+        }
+    };
+    let side = (n.base == i) == (m.base == j);
+    side && other(n, i) == other(m, j)
+}
