@@ -49,6 +49,9 @@ pub struct Summary {
     pub unplaced_total: usize,
     /// SHA-256 of the specification.
     pub specification_sha256: String,
+    /// What the change cost, such as comments in the stored file.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub warnings: Vec<Diagnostic>,
 }
 
 /// How many names a summary lists.
@@ -64,6 +67,7 @@ impl From<State> for Summary {
             unplaced_total: state.unplaced.len(),
             unplaced: state.unplaced.into_iter().take(MOST_NAMES).collect(),
             specification_sha256: state.specification_sha256,
+            warnings: state.warnings,
         }
     }
 }
