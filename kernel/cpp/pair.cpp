@@ -23,25 +23,29 @@ DistanceRaw distance(const Solid& a, const Pose& at_a, const Solid& b, const Pos
   return out;
 }
 
-CommonRaw common_part(const Solid& a, const Pose& at_a, const Solid& b, const Pose& at_b) {
-  CommonRaw out{};
-  const TopoDS_Shape first = moved(a, at_a);
-  const TopoDS_Shape second = moved(b, at_b);
+namespace {
+
+// Intersects two shapes, leaving both as they are; false where their boxes are apart by more than `fuzz`.
+bool intersect(BRepAlgoAPI_Common& op, const TopoDS_Shape& first, const TopoDS_Shape& second,
+               double fuzz) {
   // The loose boxes, which are quick and never too small: those of free-form faces hold their poles.
   Bnd_Box one;
   Bnd_Box two;
   BRepBndLib::Add(first, one, Standard_False);
   BRepBndLib::Add(second, two, Standard_False);
+  one.Enlarge(fuzz);
   if (one.IsOut(two)) {
-    return out;
+    return false;
   }
-  BRepAlgoAPI_Common op;
   TopTools_ListOfShape arguments;
   TopTools_ListOfShape tools;
   arguments.Append(first);
   tools.Append(second);
   op.SetArguments(arguments);
   op.SetTools(tools);
+  if (fuzz > 0.0) {
+    op.SetFuzzyValue(fuzz);
+  }
   op.SetNonDestructive(Standard_True);
   op.SetRunParallel(Standard_False);
   op.Build();
@@ -51,6 +55,17 @@ CommonRaw common_part(const Solid& a, const Pose& at_a, const Solid& b, const Po
   }
   if (!op.IsDone() || op.Shape().IsNull()) {
     throw Invalid("the operation did not end");
+  }
+  return true;
+}
+
+}  // namespace
+
+CommonRaw common_part(const Solid& a, const Pose& at_a, const Solid& b, const Pose& at_b) {
+  CommonRaw out{};
+  BRepAlgoAPI_Common op;
+  if (!intersect(op, moved(a, at_a), moved(b, at_b), 0.0)) {
+    return out;
   }
   out.warnings = alerts(op.GetReport(), Message_Warning);
   out.solids = count(op.Shape(), TopAbs_SOLID);
@@ -89,32 +104,10 @@ constexpr double FUZZ = 2e-6;
 AreaRaw face_common(const Solid& a, const Pose& at_a, std::uint32_t face_a, const Solid& b,
                     const Pose& at_b, std::uint32_t face_b) {
   AreaRaw out{};
-  const TopoDS_Shape first = face_of(moved(a, at_a), face_a);
-  const TopoDS_Shape second = face_of(moved(b, at_b), face_b);
-  Bnd_Box one;
-  Bnd_Box two;
-  BRepBndLib::Add(first, one, Standard_False);
-  BRepBndLib::Add(second, two, Standard_False);
-  one.Enlarge(FUZZ);
-  if (one.IsOut(two)) {
-    return out;
-  }
   BRepAlgoAPI_Common op;
-  TopTools_ListOfShape arguments;
-  TopTools_ListOfShape tools;
-  arguments.Append(first);
-  tools.Append(second);
-  op.SetArguments(arguments);
-  op.SetTools(tools);
-  op.SetFuzzyValue(FUZZ);
-  op.SetNonDestructive(Standard_True);
-  op.SetRunParallel(Standard_False);
-  op.Build();
-  if (op.HasErrors()) {
-    throw Invalid(joined(alerts(op.GetReport(), Message_Fail)));
-  }
-  if (!op.IsDone() || op.Shape().IsNull()) {
-    throw Invalid("the operation did not end");
+  const TopoDS_Shape first = face_of(moved(a, at_a), face_a);
+  if (!intersect(op, first, face_of(moved(b, at_b), face_b), FUZZ)) {
+    return out;
   }
   out.warnings = alerts(op.GetReport(), Message_Warning);
   TopTools_IndexedMapOfShape pieces;
