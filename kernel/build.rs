@@ -75,8 +75,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         .compile("assemcad-kernel-shim");
 
     println!("cargo:rustc-link-search=native={lib}");
+    // A build from source makes static libraries, all other ways shared ones.
+    let shared = ["libTKernel.so", "libTKernel.dylib"]
+        .iter()
+        .any(|name| Path::new(&lib).join(name).exists());
+    let kind = if shared { "dylib" } else { "static" };
     for library in LIBRARIES {
-        println!("cargo:rustc-link-lib=dylib={library}");
+        println!("cargo:rustc-link-lib={kind}={library}");
     }
     println!(
         "cargo:rustc-env=ASSEMCAD_OCCT_VERSION={}",
