@@ -184,7 +184,7 @@ impl Workshop {
         if let Some(r) = residual.filter(|r| change == Change::Made && !r.holds()) {
             return Err(one(does_not_hold(&resolved, &r)));
         }
-        let state = self.commit(&spec, change)?;
+        let state = self.commit_resolved(&spec, &after, change)?;
         let placed = self.newly_placed(&before, &after, &now).await?;
         Ok(Mated {
             change,
@@ -271,7 +271,17 @@ impl Workshop {
     /// Checks the whole specification, writes it, and gives the state it is in.
     fn commit(&self, spec: &Assembly, change: Change) -> Result<State, Faults> {
         let resolved = resolve::assembly(&self.registry, spec)?;
-        let mut state = State::of(spec, &resolved).map_err(one)?;
+        self.commit_resolved(spec, &resolved, change)
+    }
+
+    /// Writes a specification that was checked, and gives the state it is in.
+    fn commit_resolved(
+        &self,
+        spec: &Assembly,
+        resolved: &Resolved,
+        change: Change,
+    ) -> Result<State, Faults> {
+        let mut state = State::of(spec, resolved).map_err(one)?;
         if change == Change::Made {
             state.warnings = self.store.lost_by_writing(&spec.id);
             self.store.save(spec).map_err(one)?;

@@ -181,7 +181,7 @@ impl Workshop {
         let summary = format!("{} valid solids", built.len());
         run.end(Verdict::Pass, summary, Vec::new());
 
-        self.port_stage(&resolved, &built, run).await;
+        let ports = self.port_stage(&resolved, &built, run).await;
         let failed = run.stages.last().and_then(|s| s.verdict) == Some(Verdict::Fail);
         if failed && !keep_failed {
             return Err(Stopped);
@@ -191,7 +191,7 @@ impl Workshop {
         let n = placed.parts.iter().flatten().count();
         run.end(Verdict::Pass, format!("{n} parts placed"), Vec::new());
 
-        let report = match self.verify_specification(spec, tau_mm3).await {
+        let report = match self.verify_specification(spec, tau_mm3, Some(ports)).await {
             Ok(report) => report,
             Err(faults) => return Err(stop(run, verdict_of(&faults), faults)),
         };
@@ -217,12 +217,15 @@ impl Workshop {
         Ok((resolved, report, step))
     }
 
-    /// Whether every solid has at each port what the port's type promises.
-    async fn port_stage(&self, resolved: &Resolved, built: &[Option<Built>], run: &mut Run) {
-        let mut ports = verify::Run {
-            findings: Vec::new(),
-            checks: Vec::new(),
-        };
+    /// Whether every solid has at each port what the port's type promises. What was found goes on to
+    /// the verification, which has the same to say of ports.
+    async fn port_stage(
+        &self,
+        resolved: &Resolved,
+        built: &[Option<Built>],
+        run: &mut Run,
+    ) -> verify::Run {
+        let mut ports = verify::Run::default();
         self.check_ports(resolved, built, &mut ports).await;
         let cases: usize = ports.checks.iter().map(|c| c.cases).sum();
         let verdicts = ports.checks.iter().map(|c| c.verdict);
@@ -234,8 +237,9 @@ impl Workshop {
             Vec::new(),
         );
         if let Some(stage) = run.stages.last_mut() {
-            stage.findings = ports.findings;
+            stage.findings.clone_from(&ports.findings);
         }
+        ports
     }
 
     /// Puts specification, report and STEP file on disk as one step.

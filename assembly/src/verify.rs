@@ -37,21 +37,23 @@ impl Workshop {
     /// When there is no assembly to verify. What is wrong *with* it is in the report.
     pub async fn verify(&self, id: &str, tau_mm3: f64) -> Result<Report, Faults> {
         let spec = self.store.load(id).map_err(|d| vec![d])?;
-        let report = self.verify_specification(&spec, tau_mm3).await?;
+        let report = self.verify_specification(&spec, tau_mm3, None).await?;
         self.store
             .write_json(&report_file(id), &report)
             .map_err(|d| vec![d])?;
         Ok(report)
     }
 
-    /// Verifies a specification, which need not be on disk. Nothing is written.
+    /// Verifies a specification, which need not be on disk. Nothing is written. `ports` is what
+    /// [`Workshop::check_ports`] found where that was asked already.
     ///
     /// # Errors
     /// As [`Workshop::verify`].
-    pub async fn verify_specification(
+    pub(crate) async fn verify_specification(
         &self,
         spec: &Assembly,
         tau_mm3: f64,
+        ports: Option<Run>,
     ) -> Result<Report, Faults> {
         let id = spec.id.as_str();
         let resolved = resolve::assembly(&self.registry, spec)?;
@@ -66,12 +68,15 @@ impl Workshop {
             ]);
         }
         let placed = place::assembly(&resolved).map_err(|d| vec![d])?;
-        let mut run = Run {
-            findings: Vec::new(),
-            checks: Vec::new(),
-        };
+        let mut run = Run::default();
         let (built, parts) = self.check_parts(&resolved, &placed, &mut run).await;
-        self.check_ports(&resolved, &built, &mut run).await;
+        match ports {
+            Some(known) => {
+                run.findings.extend(known.findings);
+                run.checks.extend(known.checks);
+            }
+            None => self.check_ports(&resolved, &built, &mut run).await,
+        }
         let mut mates = check_mates(&resolved, &placed, &mut run);
         let pairs = self
             .check_pairs(&resolved, &placed, &built, tau_mm3, &mut run)
@@ -162,6 +167,7 @@ pub fn report_file(id: &str) -> String {
 }
 
 /// Findings and checks as they come in.
+#[derive(Debug, Default)]
 pub(crate) struct Run {
     pub(crate) findings: Vec<Finding>,
     pub(crate) checks: Vec<Check>,
