@@ -7,6 +7,7 @@
 use opencascade_sys as _;
 
 pub mod booleans;
+pub mod brep;
 pub mod contact;
 pub mod dress;
 pub mod error;
@@ -22,7 +23,7 @@ mod profile;
 pub mod protocol;
 pub mod query;
 pub mod replay;
-pub mod select;
+pub mod workplane;
 pub mod shape;
 pub mod step;
 pub mod worker;

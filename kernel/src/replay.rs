@@ -1,127 +1,92 @@
-//! From a recipe to its solid.
+//! From a recipe to its solid and ports.
 
-use assemcad_model::frame::Placement;
-use assemcad_model::recipe::{FORMAT, Op, Recipe, Ref};
+use assemcad_model::ports::Port;
+use assemcad_model::recipe::{Call, FORMAT, Recipe};
 
 use crate::error::{KernelError, Result};
-use crate::limits::coordinates;
-use crate::select::select;
 use crate::shape::Shape;
+use crate::workplane::{Failed, Made, carry_out};
 
-/// Which operation of a recipe failed, and how.
+/// Which call of a recipe failed, and how.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, serde::Serialize, serde::Deserialize)]
-#[error("operation {step} ({op}): {error}")]
+#[error("call {step} ({call}): {error}")]
 pub struct ReplayError {
     /// Position in the recipe, from 0.
     pub step: usize,
-    /// Name of the operation.
-    pub op: String,
+    /// Name of the call.
+    pub call: String,
     /// What is wrong.
     pub error: KernelError,
 }
 
-/// The solid of a recipe.
+/// A part's solid and its ports.
+#[derive(Debug)]
+pub struct Part {
+    /// One valid closed solid, gone through bytes: a fresh one and one from a cache are the same.
+    pub solid: Shape,
+    /// The ports, in the part's frame.
+    pub ports: Vec<Port>,
+}
+
+/// The solid of a recipe and its ports.
 ///
-/// `on_step` is called before each operation, so that a crash can be laid at one's door. The solid
-/// has gone through bytes: a fresh one and one from a cache are the same.
+/// `on_call` is called before each call is carried out, so that a crash can be laid at one's door.
 ///
 /// # Errors
-/// The first operation that is refused or makes no single valid solid.
+/// The first call that is refused, or the last one where no single valid solid comes out.
 pub fn replay(
     recipe: &Recipe,
-    on_step: &mut dyn FnMut(usize, &Op),
-) -> core::result::Result<Shape, ReplayError> {
-    let failed = |step: usize, op: &str, error: KernelError| ReplayError {
-        step,
-        op: op.to_owned(),
-        error,
+    on_call: &mut dyn FnMut(usize, &Call),
+) -> core::result::Result<Part, ReplayError> {
+    let Made {
+        shape,
+        solids,
+        ports,
+    } = make(recipe, on_call)?;
+    let one = match solids {
+        1 => settle(&shape),
+        several => Err(KernelError::refused(format!(
+            "the part would be {several} separate solids: a part is one solid; join them by union, \
+             or let them overlap"
+        ))),
     };
+    one.map(|solid| Part { solid, ports })
+        .map_err(|error| failed_at_result(recipe, error))
+}
+
+/// What the calls of a recipe make, be it one solid or several.
+///
+/// # Errors
+/// The first call that is refused.
+pub fn make(
+    recipe: &Recipe,
+    on_call: &mut dyn FnMut(usize, &Call),
+) -> core::result::Result<Made, ReplayError> {
     if recipe.format != FORMAT {
         let text = format!(
             "the recipe has format {}, and only {FORMAT} is known",
             recipe.format
         );
-        return Err(failed(0, "recipe", KernelError::refused(text)));
+        return Err(failed_at_result(recipe, KernelError::refused(text)));
     }
-    for (step, op) in recipe.ops.iter().enumerate() {
-        references(step, op).map_err(|e| failed(step, op.name(), e))?;
+    carry_out(recipe, on_call).map_err(|Failed { step, error }| failed(recipe, step, error))
+}
+
+fn failed(recipe: &Recipe, step: usize, error: KernelError) -> ReplayError {
+    let call = recipe.calls.get(step);
+    ReplayError {
+        step,
+        call: call.map_or_else(|| "recipe".to_owned(), |call| call.call.clone()),
+        error,
     }
-    let mut made: Vec<Shape> = Vec::with_capacity(recipe.ops.len());
-    for (step, op) in recipe.ops.iter().enumerate() {
-        on_step(step, op);
-        let shape = perform(op, &made).map_err(|e| failed(step, op.name(), e))?;
-        made.push(shape);
-    }
-    let Some((op, last)) = recipe.ops.last().zip(made.last()) else {
-        return Err(failed(
-            0,
-            "recipe",
-            KernelError::refused("the recipe has no operations"),
-        ));
-    };
-    let step = recipe.ops.len() - 1;
-    settle(last).map_err(|e| failed(step, op.name(), e))
+}
+
+fn failed_at_result(recipe: &Recipe, error: KernelError) -> ReplayError {
+    failed(recipe, usize::try_from(recipe.result).unwrap_or(0), error)
 }
 
 /// The solid as it comes back from its bytes, checked there: that is what everybody else gets.
 fn settle(shape: &Shape) -> Result<Shape> {
-    Shape::from_bytes(&shape.to_bytes()?)?.checked("the part")
-}
-
-fn references(step: usize, op: &Op) -> Result<()> {
-    for input in op.inputs() {
-        if usize::try_from(input).map_or(true, |i| i >= step) {
-            return Err(KernelError::refused(format!(
-                "it refers to operation {input}, which is not an earlier one"
-            )));
-        }
-    }
-    Ok(())
-}
-
-fn perform(op: &Op, made: &[Shape]) -> Result<Shape> {
-    let get = |input: &Ref| {
-        usize::try_from(*input)
-            .ok()
-            .and_then(|i| made.get(i))
-            .ok_or_else(|| KernelError::internal("an operation's input is missing"))
-    };
-    match op {
-        Op::Box { at, size } => Shape::cuboid(at, *size),
-        Op::Cylinder { at, radius, height } => Shape::cylinder(at, *radius, *height),
-        Op::Cone {
-            at,
-            radius_base,
-            radius_top,
-            height,
-        } => Shape::cone(at, *radius_base, *radius_top, *height),
-        Op::Sphere { at, radius } => Shape::sphere(at, *radius),
-        Op::Prism { profile, length } => Shape::prism(profile, *length),
-        Op::Revolve {
-            profile,
-            axis_point,
-            axis_direction,
-            angle_deg,
-        } => Shape::revolve(profile, *axis_point, *axis_direction, *angle_deg),
-        Op::Fuse { a, b } => get(a)?.fuse(get(b)?),
-        Op::Cut { a, b } => get(a)?.cut(get(b)?),
-        Op::Common { a, b } => get(a)?.common(get(b)?),
-        Op::Fillet { of, edges, radius } => {
-            let solid = get(of)?;
-            solid.fillet(&select(edges, &solid.edges()?)?, *radius)
-        }
-        Op::Chamfer {
-            of,
-            edges,
-            distance,
-        } => {
-            let solid = get(of)?;
-            solid.chamfer(&select(edges, &solid.edges()?)?, *distance)
-        }
-        Op::Place { of, placement } => {
-            let at = Placement::from(*placement);
-            coordinates("placement", at.origin().as_slice())?;
-            get(of)?.placed(&at)
-        }
-    }
+    let baked = shape.baked()?.checked("the part")?;
+    Shape::from_bytes(&baked.to_bytes()?)?.checked("the part")
 }

@@ -1,0 +1,359 @@
+//! How a new solid joins the chain's, and the union that never falls apart in silence.
+
+use std::rc::Rc;
+
+use super::args::Args;
+use super::value::{Node, Object, Value, Vector};
+use crate::booleans::{Kind, judge};
+use crate::brep::{Form, Topology};
+use crate::error::{KernelError, Result};
+use crate::shape::Shape;
+
+/// The largest gap, in mm, that a union closes.
+const CLOSES: f64 = 0.01;
+
+/// How far, in mm, what closes a gap reaches into both solids.
+const INTO: f64 = 1e-3;
+
+/// What becomes of a new solid.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Mode {
+    Add,
+    Cut,
+    Apart,
+}
+
+impl Mode {
+    pub(super) fn of(args: &Args<'_>) -> Result<Self> {
+        match args.text("combine")? {
+            "add" => Ok(Self::Add),
+            "cut" => Ok(Self::Cut),
+            "none" => Ok(Self::Apart),
+            _ => Err(KernelError::refused("combine is add, cut or none")),
+        }
+    }
+}
+
+fn all(shapes: &[Shape]) -> Vec<&Shape> {
+    shapes.iter().collect()
+}
+
+fn cleaned(shape: Shape, clean: bool) -> Result<Shape> {
+    if clean { shape.cleaned() } else { Ok(shape) }
+}
+
+/// The next link: the made shapes joined to the chain's solid as the mode says.
+pub(super) fn combined(
+    node: &Rc<Node>,
+    made: Vec<Shape>,
+    mode: Mode,
+    clean: bool,
+) -> Result<Rc<Node>> {
+    if mode == Mode::Apart {
+        let objects = made
+            .into_iter()
+            .map(|shape| Ok(Object::shape(cleaned(shape, clean)?)))
+            .collect::<Result<Vec<Object>>>()?;
+        return Ok(node.next(objects));
+    }
+    let base = node.find_solid()?;
+    let tool = Shape::compound(&all(&made))?;
+    let result = match (base, mode) {
+        (Some(base), Mode::Cut) => cut(&base, &[tool], None)?,
+        (Some(base), _) => fused(&base, &[tool], false, None)?,
+        // One shape alone is itself; several may overlap.
+        (None, Mode::Add) if made.len() > 1 => tool.fused(&[], false, None)?,
+        (None, _) => tool,
+    };
+    Ok(node.next_shape(cleaned(result, clean)?))
+}
+
+/// The union as the kernel makes it, held against what volumes and points say.
+fn fused(base: &Shape, others: &[Shape], glue: bool, tolerance: Option<f64>) -> Result<Shape> {
+    let result = base.fused(&all(others), glue, tolerance)?;
+    judged(Kind::Fuse, base, others, result, tolerance)
+}
+
+pub(super) fn cut(base: &Shape, tools: &[Shape], tolerance: Option<f64>) -> Result<Shape> {
+    let result = base.without(&all(tools), tolerance)?;
+    if result.parts(Topology::Solid)?.is_empty() {
+        return Err(KernelError::refused("the cut leaves nothing of the solid"));
+    }
+    judged(Kind::Cut, base, tools, result, tolerance)
+}
+
+fn shared(base: &Shape, others: &[Shape], tolerance: Option<f64>) -> Result<Shape> {
+    let result = base.shared(&all(others), tolerance)?;
+    if result.parts(Topology::Solid)?.is_empty() {
+        return Err(KernelError::refused(format!(
+            "the solids have no volume in common{}",
+            apart(base, others)?
+        )));
+    }
+    judged(Kind::Common, base, others, result, tolerance)
+}
+
+/// A boolean's result, held against its operands where they are solids.
+fn judged(
+    kind: Kind,
+    base: &Shape,
+    others: &[Shape],
+    result: Shape,
+    tolerance: Option<f64>,
+) -> Result<Shape> {
+    // With a tolerance of the script's own the volumes need not add up.
+    if tolerance.is_some() {
+        return Ok(result);
+    }
+    let mut solids = Vec::new();
+    for other in others {
+        solids.extend(other.parts(Topology::Solid)?);
+    }
+    if !solids.is_empty() {
+        judge(kind, base, &Shape::compound(&all(&solids))?, &result)?;
+    }
+    Ok(result)
+}
+
+/// A clause with both boxes and the gap.
+fn apart(base: &Shape, others: &[Shape]) -> Result<String> {
+    let other = Shape::compound(&all(others))?;
+    let (gap, _, _) = base.distance_to(&other)?;
+    Ok(format!(
+        "; the first spans {} mm, the second {} mm, and the gap between them is {gap:.6} mm",
+        base.extent()?,
+        other.extent()?
+    ))
+}
+
+/// One solid of several: they overlap, or share a face, or a gap of at most [`CLOSES`] mm between
+/// plane faces is closed.
+///
+/// # Errors
+/// When not exactly one solid comes out; with both boxes and the gap.
+pub(super) fn safe_union(
+    base: &Shape,
+    others: &[Shape],
+    glue: bool,
+    tolerance: Option<f64>,
+) -> Result<Shape> {
+    let count = |shape: &Shape| Ok::<usize, KernelError>(shape.parts(Topology::Solid)?.len());
+    // Overlap: the plain union.
+    let plain = fused(base, others, glue, tolerance)?;
+    if count(&plain)? == 1 {
+        return Ok(plain);
+    }
+    // A shared face that the plain union did not see as one.
+    if !glue
+        && let Ok(glued) = fused(base, others, true, tolerance)
+        && count(&glued)? == 1
+    {
+        return Ok(glued);
+    }
+    // A small gap: bridged along its shortest way.
+    if let Some(bridges) = bridges(&plain)? {
+        let mut with = others.to_vec_of_handles()?;
+        with.extend(bridges);
+        let joined = base.fused(&all(&with), false, tolerance)?;
+        if count(&joined)? == 1 {
+            return judged(Kind::Fuse, base, &with, joined, tolerance);
+        }
+    }
+    let solids = plain.parts(Topology::Solid)?;
+    let Some((first, rest)) = solids.split_first() else {
+        return Err(KernelError::refused("the union holds no solid"));
+    };
+    let mut text = format!(
+        "the solids do not join: the union would be {} separate solids{}",
+        solids.len(),
+        apart(first, rest)?
+    );
+    let (gap, _, _) = first.distance_to(&Shape::compound(&all(rest))?)?;
+    text.push_str(if gap < 1e-9 {
+        "; they touch only along an edge or in a point: let them overlap"
+    } else {
+        "; up to 0.01 mm between plane faces is closed: move one of them, or let them overlap"
+    });
+    Err(KernelError::refused(text))
+}
+
+trait Handles {
+    fn to_vec_of_handles(&self) -> Result<Vec<Shape>>;
+}
+
+impl Handles for [Shape] {
+    fn to_vec_of_handles(&self) -> Result<Vec<Shape>> {
+        self.iter().map(Shape::try_clone).collect()
+    }
+}
+
+/// A bridge over each gap between the first solid and another that is small enough; none where a gap
+/// is not.
+fn bridges(union: &Shape) -> Result<Option<Vec<Shape>>> {
+    let solids = union.parts(Topology::Solid)?;
+    let Some((first, rest)) = solids.split_first() else {
+        return Ok(None);
+    };
+    let mut found = Vec::new();
+    for other in rest {
+        match bridge(first, other)? {
+            Some(bridge) => found.push(bridge),
+            None => return Ok(None),
+        }
+    }
+    Ok(Some(found))
+}
+
+/// The face of `a` that looks at `b` over the gap, thickened across it.
+fn bridge(a: &Shape, b: &Shape) -> Result<Option<Shape>> {
+    let (gap, on_a, on_b) = a.distance_to(b)?;
+    let way = Vector::from(on_b) - Vector::from(on_a);
+    if !(gap > 0.0 && gap <= CLOSES) || way.norm() == 0.0 {
+        return Ok(None);
+    }
+    let way = way.normalize();
+    // From either side: the smaller of the two faces stays inside the other's outline.
+    let mut best: Option<(f64, Shape)> = None;
+    for (from, direction, point) in [(a, way, on_a), (b, -way, on_b)] {
+        for face in from.parts(Topology::Face)? {
+            if face.form()? != Form::Plane {
+                continue;
+            }
+            let normal = Vector::from(face.normal_at(None)?);
+            let level = (Vector::from(face.center()?) - Vector::from(point)).dot(&normal);
+            if normal.dot(&direction) < 1.0 - 1e-6 || level.abs() > 1e-6 {
+                continue;
+            }
+            let area = face.measure()?.area;
+            if best.as_ref().is_none_or(|(least, _)| area < *least) {
+                let start = face.moved(&shift(-normal * INTO))?;
+                let across = normal * (gap + 2.0 * INTO);
+                best = Some((area, start.extruded(across.into(), 0.0)?));
+            }
+        }
+    }
+    Ok(best.map(|(_, bridge)| bridge))
+}
+
+fn shift(by: Vector) -> assemcad_model::frame::Placement {
+    assemcad_model::frame::Placement::translation(by.x, by.y, by.z)
+}
+
+/// The solids that an argument names.
+fn operands(args: &Args<'_>, name: &str, solids_only: bool) -> Result<Vec<Shape>> {
+    let mut found = Vec::new();
+    for object in args.objects(name)? {
+        let Some(shape) = object.as_shape() else {
+            continue;
+        };
+        if solids_only {
+            found.extend(shape.parts(Topology::Solid)?);
+        } else {
+            found.push(shape.try_clone()?);
+        }
+    }
+    if found.is_empty() {
+        return Err(KernelError::refused(format!(
+            "{name} of {} has no solid on its stack",
+            args.call.call
+        )));
+    }
+    Ok(found)
+}
+
+fn join_tags(args: &Args<'_>, node: &Node, name: &str) -> Result<()> {
+    if let Some(other) = args.node(name)? {
+        super::chain::merge_tags(node, &other);
+    }
+    Ok(())
+}
+
+/// `union(toUnion, clean, glue, tol)`: the ports of both stay.
+pub(super) fn union(args: &Args<'_>) -> Result<Value> {
+    let node = args.on()?;
+    let mut others = if args.given("toUnion") {
+        join_tags(args, &node, "toUnion")?;
+        operands(args, "toUnion", true)?
+    } else {
+        Vec::new()
+    };
+    let base = match node.find_solid()? {
+        Some(base) => base,
+        None if others.is_empty() => {
+            return Err(KernelError::refused("there is nothing to unite"));
+        }
+        None => others.remove(0),
+    };
+    let result = safe_union(
+        &base,
+        &others,
+        args.flag("glue")?,
+        args.real_or_none("tol")?,
+    )?;
+    let next = node.next_shape(cleaned(result, args.flag("clean")?)?);
+    let mut ports = next.ports.as_ref().clone();
+    if let Some(other) = args.node("toUnion")? {
+        for port in other.ports.iter() {
+            // A chain united with its own earlier link has the link's ports already.
+            if !ports.contains(port) {
+                ports.push(port.clone());
+            }
+        }
+    }
+    Ok(Value::Node(next.with_ports(ports)))
+}
+
+/// `cut(toCut)`.
+pub(super) fn cut_call(args: &Args<'_>) -> Result<Value> {
+    let node = args.on()?;
+    let base = node.solid()?;
+    join_tags(args, &node, "toCut")?;
+    let tools = operands(args, "toCut", false)?;
+    let result = cut(&base, &tools, args.real_or_none("tol")?)?;
+    Ok(Value::Node(
+        node.next_shape(cleaned(result, args.flag("clean")?)?),
+    ))
+}
+
+/// `intersect(toIntersect)`.
+pub(super) fn intersect(args: &Args<'_>) -> Result<Value> {
+    let node = args.on()?;
+    let base = node.solid()?;
+    join_tags(args, &node, "toIntersect")?;
+    let others = operands(args, "toIntersect", false)?;
+    let result = shared(&base, &others, args.real_or_none("tol")?)?;
+    Ok(Value::Node(
+        node.next_shape(cleaned(result, args.flag("clean")?)?),
+    ))
+}
+
+/// `combine()`: the objects of the stack as one.
+pub(super) fn combine(args: &Args<'_>) -> Result<Value> {
+    let node = args.on()?;
+    let shapes: Vec<&Rc<Shape>> = node.shapes().collect();
+    let Some((first, rest)) = shapes.split_first() else {
+        return Err(KernelError::refused("there is nothing on the stack"));
+    };
+    let result = if rest.is_empty() {
+        first.try_clone()?
+    } else {
+        let rest: Vec<&Shape> = rest.iter().map(|s| s.as_ref()).collect();
+        first.fused(&rest, args.flag("glue")?, args.real_or_none("tol")?)?
+    };
+    Ok(Value::Node(
+        node.next_shape(cleaned(result, args.flag("clean")?)?),
+    ))
+}
+
+/// `clean()`.
+pub(super) fn clean(args: &Args<'_>) -> Result<Value> {
+    let node = args.on()?;
+    let mut objects = Vec::new();
+    for object in &node.objects {
+        objects.push(match object.as_shape() {
+            Some(shape) => Object::shape(shape.cleaned()?),
+            None => object.clone(),
+        });
+    }
+    Ok(Value::Node(node.next(objects)))
+}
