@@ -23,11 +23,24 @@ const POINTS_AFTER_WARNING: u32 = 1000;
 /// Points nearer to a surface than this, in mm, vouch for nothing.
 const NEAR: f64 = 1e-4;
 
+/// The three booleans.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Kind {
+pub(crate) enum Kind {
+    /// Union.
     Fuse,
+    /// Difference.
     Cut,
+    /// Intersection.
     Common,
+}
+
+/// Holds a result against its operands: by volume, and at points that know nothing of the boolean.
+///
+/// # Errors
+/// When the result cannot be right, or a cut removes nothing.
+pub(crate) fn judge(kind: Kind, a: &Shape, b: &Shape, result: &Shape) -> Result<()> {
+    a.plausible(b, kind, result.mass()?.volume)?;
+    a.vouched(b, kind, result, &[])
 }
 
 impl Kind {

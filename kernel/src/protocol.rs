@@ -6,6 +6,7 @@
 use std::io::{self, Read, Write};
 
 use assemcad_model::frame::Rows;
+use assemcad_model::ports::Port;
 use assemcad_model::probe::{Answer, Probe};
 use assemcad_model::recipe::Recipe;
 use serde::de::DeserializeOwned;
@@ -178,6 +179,8 @@ pub struct Built {
     pub max: [f64; 3],
     /// SHA-256 of the solid's BREP bytes.
     pub brep: String,
+    /// The ports, in the part's frame.
+    pub ports: Vec<Port>,
 }
 
 /// Where a solid came from.

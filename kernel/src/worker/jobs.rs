@@ -5,7 +5,8 @@ use std::rc::Rc;
 
 use assemcad_model::canonical::sha256;
 use assemcad_model::frame::Placement;
-use assemcad_model::recipe::{Op, Recipe};
+use assemcad_model::ports::Port;
+use assemcad_model::recipe::{Call, Recipe};
 use lru::LruCache;
 
 use super::cache::{self, Disk, Entry};
@@ -14,6 +15,7 @@ use crate::protocol::{
     Built, CommonVolume, Doing, Instance, Job, Placed, Product, Reply, Source, StepFacts, StepLeaf,
 };
 use crate::shape::Shape;
+use crate::replay::Part;
 use crate::{contact, pair, replay, step};
 
 /// What stands in a STEP header where it asks for persons.
@@ -30,11 +32,12 @@ fn doing(operation: &str, recipe: Option<String>) -> Doing {
     }
 }
 
-/// A solid and the SHA-256 of its bytes.
+/// A solid, the SHA-256 of its bytes, and its ports.
 #[derive(Debug)]
 struct Solid {
     shape: Shape,
     brep: String,
+    ports: Vec<Port>,
 }
 
 /// A solid as a job gets it: the hash of its recipe, itself, and where it came from.
@@ -109,6 +112,7 @@ impl Bench {
             min: bounds.min,
             max: bounds.max,
             brep: solid.brep.clone(),
+            ports: solid.ports.clone(),
         })
     }
 
@@ -221,10 +225,7 @@ impl Bench {
         }
         let entry = self.disk.as_ref().map_or(Entry::Missing, |d| d.read(&hash));
         let on_disk = match &entry {
-            Entry::Sound(bytes) => Shape::from_bytes(bytes).ok().map(|shape| Solid {
-                shape,
-                brep: sha256(bytes),
-            }),
+            Entry::Sound(payload) => Solid::from_payload(payload),
             Entry::Missing | Entry::Damaged => None,
         };
         let (solid, source) = match (on_disk, entry) {
@@ -238,24 +239,61 @@ impl Bench {
     }
 
     fn make(&mut self, recipe: &Recipe, hash: &str, tell: Tell<'_>) -> Result<Solid> {
-        let mut on_step = |step: usize, op: &Op| {
+        let mut on_call = |step: usize, call: &Call| {
             tell(Doing {
-                operation: op.name().to_owned(),
+                operation: call.call.clone(),
                 step: Some(step),
                 recipe: Some(hash.to_owned()),
             });
         };
-        let shape = replay(recipe, &mut on_step).map_err(|e| e.error)?;
-        let bytes = shape.to_bytes()?;
+        let Part { solid, ports } = replay(recipe, &mut on_call).map_err(|e| {
+            // What failed is the call, which may lie before the one that was told last.
+            on_call(e.step, &named(&e.call));
+            e.error
+        })?;
+        let bytes = solid.to_bytes()?;
+        let made = Solid {
+            brep: sha256(&bytes),
+            shape: solid,
+            ports,
+        };
         if let Some(disk) = &self.disk
-            && let Err(e) = disk.write(hash, &bytes)
+            && let Err(e) = disk.write(hash, &made.payload(&bytes)?)
         {
             // The cache is a convenience: without it the solid is made again next time.
             tracing::warn!("a solid could not be kept on disk: {e}");
         }
-        Ok(Solid {
-            shape,
-            brep: sha256(&bytes),
+        Ok(made)
+    }
+}
+
+fn named(call: &str) -> Call {
+    Call {
+        call: call.to_owned(),
+        on: None,
+        args: std::collections::BTreeMap::new(),
+    }
+}
+
+impl Solid {
+    /// What is kept on disk: the length of the ports' JSON (32 bits, little-endian), the JSON, the
+    /// bytes of the solid.
+    fn payload(&self, bytes: &[u8]) -> Result<Vec<u8>> {
+        let ports = serde_json::to_vec(&self.ports)
+            .map_err(|_| KernelError::internal("the ports could not be written"))?;
+        let length = u32::try_from(ports.len())
+            .map_err(|_| KernelError::refused("the part has too many ports"))?;
+        Ok([&length.to_le_bytes(), ports.as_slice(), bytes].concat())
+    }
+
+    fn from_payload(payload: &[u8]) -> Option<Self> {
+        let (length, rest) = payload.split_first_chunk::<4>()?;
+        let length = usize::try_from(u32::from_le_bytes(*length)).ok()?;
+        let (ports, bytes) = rest.split_at_checked(length)?;
+        Some(Self {
+            shape: Shape::from_bytes(bytes).ok()?,
+            brep: sha256(bytes),
+            ports: serde_json::from_slice(ports).ok()?,
         })
     }
 }

@@ -1,0 +1,15 @@
+# A cut until the next face of a channel.
+import cadquery as cq
+
+result = (
+    cq.Workplane("XY")
+    .box(30, 30, 30)
+    .faces(">X")
+    .workplane()
+    .rect(10, 10)
+    .cutThruAll()
+    .faces(">Z")
+    .workplane()
+    .circle(3)
+    .cutBlind("next")
+)

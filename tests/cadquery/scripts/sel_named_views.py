@@ -1,0 +1,25 @@
+# Named views: front, back, left, right, top, bottom.
+import cadquery as cq
+
+result = (
+    cq.Workplane("XY")
+    .box(30, 26, 22)
+    .faces("front")
+    .workplane()
+    .hole(2, 5)
+    .faces("back")
+    .workplane()
+    .hole(3, 5)
+    .faces("left")
+    .workplane()
+    .hole(4, 5)
+    .faces("right")
+    .workplane()
+    .hole(5, 5)
+    .faces("top")
+    .workplane()
+    .hole(6, 5)
+    .faces("bottom")
+    .workplane()
+    .hole(7, 5)
+)

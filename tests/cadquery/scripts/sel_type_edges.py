@@ -1,0 +1,25 @@
+# Edges by type: %LINE, %CIRCLE, %ELLIPSE.
+import cadquery as cq
+
+result = (
+    cq.Workplane("XY")
+    .rect(40, 30)
+    .extrude(8)
+    .faces(">Z")
+    .workplane()
+    .pushPoints([(-10, 0)])
+    .circle(6)
+    .extrude(5)
+    .faces(">Z[-2]")
+    .workplane(origin=(10, 0, 0))
+    .ellipse(6, 4)
+    .cutBlind(-4)
+    .edges("%CIRCLE and >Z")
+    .chamfer(1)
+    .edges("%ELLIPSE")
+    .edges(">Z")
+    .chamfer(0.5)
+    .edges("%LINE and |Z")
+    .edges(">X")
+    .fillet(3)
+)
