@@ -7,6 +7,7 @@
 use opencascade_sys as _;
 
 pub mod booleans;
+pub mod brep;
 pub mod contact;
 pub mod dress;
 pub mod error;
