@@ -32,10 +32,12 @@ const LIBRARIES: [&str; 23] = [
     "TKernel",
 ];
 
-const SOURCES: [&str; 17] = [
+const SOURCES: [&str; 20] = [
     "along",
+    "areas",
     "booleans",
     "common",
+    "curves",
     "edges",
     "facts",
     "io",
@@ -50,6 +52,7 @@ const SOURCES: [&str; 17] = [
     "step_read",
     "step_write",
     "topology",
+    "wires",
 ];
 
 fn place_of(variable: &str) -> Result<String, Box<dyn Error>> {

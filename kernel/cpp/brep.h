@@ -25,8 +25,6 @@ BundlePtr bundle();
 struct CenterRaw;
 struct MeasureRaw;
 struct PlaneRaw;
-struct SplineRaw;
-struct SweepRaw;
 
 using Flags = rust::Slice<const bool>;
 using Vector = std::array<double, 3>;
@@ -57,4 +55,34 @@ Vector curve_position(const Solid& curve, double share);
 Vector curve_end(const Solid& curve, bool last);
 bool curve_closed(const Solid& curve);
 double curve_radius(const Solid& curve);
+
+// curves.cpp
+SolidPtr edge_line(const Vector& from, const Vector& to);
+SolidPtr edge_arc(const Vector& from, const Vector& via, const Vector& to);
+SolidPtr edge_tangent_arc(const Vector& from, const Vector& tangent, const Vector& to);
+SolidPtr edge_circle(const At& at, double radius);
+SolidPtr edge_circle_arc(const At& at, double radius, double from, double to);
+SolidPtr edge_ellipse(const At& at, double x_radius, double y_radius, double rotation);
+SolidPtr edge_ellipse_arc(const At& at, double x_radius, double y_radius, double from, double to,
+                          bool forward);
+SolidPtr edge_spline(Reals points, Reals tangents, Flags given, Reals parameters, bool periodic,
+                     bool scale, double tolerance);
+SolidPtr edge_spline_approx(Reals points, double tolerance, std::uint32_t min_degree,
+                            std::uint32_t max_degree);
+SolidPtr edge_bezier(Reals points);
+
+// wires.cpp
+SolidPtr wire_of(const Bundle& edges);
+BundlePtr wires_connected(const Bundle& curves, double tolerance);
+SolidPtr wire_polyline(Reals points, bool close);
+SolidPtr wire_helix(const At& at, double pitch, double height, double radius, double half_angle,
+                    bool left);
+BundlePtr wire_offset(const Solid& wire, double distance, std::uint8_t corner);
+
+// areas.cpp
+SolidPtr face_of_wires(const Bundle& wires);
+BundlePtr faces_of_wires(const Bundle& wires);
+SolidPtr outer_wire_of(const Solid& face);
+BundlePtr inner_wires_of(const Solid& face);
+
 }  // namespace assemcad

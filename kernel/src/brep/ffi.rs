@@ -66,5 +66,63 @@ pub mod bridge {
         fn curve_end(curve: &Solid, last: bool) -> Result<[f64; 3]>;
         fn curve_closed(curve: &Solid) -> Result<bool>;
         fn curve_radius(curve: &Solid) -> Result<f64>;
+
+        fn edge_line(from: &[f64; 3], to: &[f64; 3]) -> Result<UniquePtr<Solid>>;
+        fn edge_arc(from: &[f64; 3], via: &[f64; 3], to: &[f64; 3]) -> Result<UniquePtr<Solid>>;
+        fn edge_tangent_arc(
+            from: &[f64; 3],
+            tangent: &[f64; 3],
+            to: &[f64; 3],
+        ) -> Result<UniquePtr<Solid>>;
+        fn edge_circle(at: &At, radius: f64) -> Result<UniquePtr<Solid>>;
+        fn edge_circle_arc(at: &At, radius: f64, from: f64, to: f64) -> Result<UniquePtr<Solid>>;
+        fn edge_ellipse(
+            at: &At,
+            x_radius: f64,
+            y_radius: f64,
+            rotation: f64,
+        ) -> Result<UniquePtr<Solid>>;
+        fn edge_ellipse_arc(
+            at: &At,
+            x_radius: f64,
+            y_radius: f64,
+            from: f64,
+            to: f64,
+            forward: bool,
+        ) -> Result<UniquePtr<Solid>>;
+        fn edge_spline(
+            points: &[f64],
+            tangents: &[f64],
+            given: &[bool],
+            parameters: &[f64],
+            periodic: bool,
+            scale: bool,
+            tolerance: f64,
+        ) -> Result<UniquePtr<Solid>>;
+        fn edge_spline_approx(
+            points: &[f64],
+            tolerance: f64,
+            min_degree: u32,
+            max_degree: u32,
+        ) -> Result<UniquePtr<Solid>>;
+        fn edge_bezier(points: &[f64]) -> Result<UniquePtr<Solid>>;
+
+        fn wire_of(edges: &Bundle) -> Result<UniquePtr<Solid>>;
+        fn wires_connected(curves: &Bundle, tolerance: f64) -> Result<UniquePtr<Bundle>>;
+        fn wire_polyline(points: &[f64], close: bool) -> Result<UniquePtr<Solid>>;
+        fn wire_helix(
+            at: &At,
+            pitch: f64,
+            height: f64,
+            radius: f64,
+            half_angle: f64,
+            left: bool,
+        ) -> Result<UniquePtr<Solid>>;
+        fn wire_offset(wire: &Solid, distance: f64, corner: u8) -> Result<UniquePtr<Bundle>>;
+
+        fn face_of_wires(wires: &Bundle) -> Result<UniquePtr<Solid>>;
+        fn faces_of_wires(wires: &Bundle) -> Result<UniquePtr<Bundle>>;
+        fn outer_wire_of(face: &Solid) -> Result<UniquePtr<Solid>>;
+        fn inner_wires_of(face: &Solid) -> Result<UniquePtr<Bundle>>;
     }
 }

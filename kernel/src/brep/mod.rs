@@ -10,15 +10,21 @@ use cxx::UniquePtr;
 
 use crate::error::{Context, KernelError, Result};
 use crate::ffi::bridge::{At, Solid};
+use crate::limits::{SMALLEST, coordinates};
 use crate::shape::{Shape, pose, start};
 
 mod along;
+mod curves;
+mod faces;
 mod ffi;
 mod look;
 mod topology;
+mod wires;
 
+pub use curves::Spline;
 pub use look::{Form, Measure};
 pub use topology::Topology;
+pub use wires::Corner;
 
 use ffi::bridge;
 
@@ -67,4 +73,48 @@ fn frame(at: &Placement) -> Result<At> {
         x: x.into(),
         z: z.into(),
     })
+}
+
+/// An angle in degrees as C++ takes it, in radians, at most ten turns either way.
+fn radians(what: &str, deg: f64) -> Result<f64> {
+    // Written so that NaN fails too.
+    if deg.abs() <= 3600.0 {
+        Ok(deg.to_radians())
+    } else {
+        Err(KernelError::refused(format!(
+            "the {what} is {deg} degrees, and must lie between -3600 and 3600"
+        )))
+    }
+}
+
+fn gap(a: &[f64; 3], b: &[f64; 3]) -> f64 {
+    let square: f64 = a.iter().zip(b).map(|(p, q)| (p - q) * (p - q)).sum();
+    square.sqrt()
+}
+
+/// That two points are no single one.
+fn apart(what: &str, a: &[f64; 3], b: &[f64; 3]) -> Result<()> {
+    if gap(a, b) < SMALLEST {
+        let [x, y, z] = a;
+        return Err(KernelError::refused(format!(
+            "the {what} has two points in one place, ({x}, {y}, {z})"
+        )));
+    }
+    Ok(())
+}
+
+/// Points that a curve runs through: finite, and no two in one place that follow each other.
+fn run<'a>(what: &str, points: &'a [[f64; 3]]) -> Result<&'a [f64]> {
+    let flat = points.as_flattened();
+    coordinates(what, flat)?;
+    for (a, b) in points.iter().zip(points.iter().skip(1)) {
+        apart(what, a, b)?;
+    }
+    if points.len() < 2 {
+        return Err(KernelError::refused(format!(
+            "the {what} has {} points, and needs at least 2",
+            points.len()
+        )));
+    }
+    Ok(flat)
 }
