@@ -32,10 +32,11 @@ const LIBRARIES: [&str; 23] = [
     "TKernel",
 ];
 
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 23] = [
     "along",
     "areas",
     "booleans",
+    "combine",
     "common",
     "curves",
     "edges",
@@ -48,9 +49,11 @@ const SOURCES: [&str; 20] = [
     "primitives",
     "profile",
     "query",
+    "solids",
     "start",
     "step_read",
     "step_write",
+    "sweeps",
     "topology",
     "wires",
 ];

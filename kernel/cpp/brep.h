@@ -85,4 +85,40 @@ BundlePtr faces_of_wires(const Bundle& wires);
 SolidPtr outer_wire_of(const Solid& face);
 BundlePtr inner_wires_of(const Solid& face);
 
+// sweeps.cpp
+SolidPtr extrude(const Solid& profile, const Vector& vector);
+SolidPtr extrude_tapered(const Solid& face, double slant, double taper);
+SolidPtr extrude_until(const Solid& basis, const Solid& face, const Bundle& up_to, double taper,
+                       bool additive);
+BundlePtr faces_on_line(const Solid& shape, const Vector& point, const Vector& direction,
+                        std::uint8_t side, double tolerance);
+SolidPtr extrude_twisted(const Solid& face, const Vector& center, const Vector& vector,
+                         double radians);
+SolidPtr turn_about(const Solid& profile, const Vector& from, const Vector& direction,
+                    double radians);
+SolidPtr sweep(const Solid& profile, const Solid& path, const Bundle& guide, Reals normal,
+               bool frenet, bool solid, std::uint8_t transition);
+SolidPtr sweep_multi(const Bundle& sections, const Solid& path, const Bundle& guide, Reals normal,
+                     bool frenet, bool solid);
+SolidPtr loft(const Bundle& wires, bool ruled, bool solid);
+
+// solids.cpp
+SolidPtr fillet_edges(const Solid& solid, const Bundle& edges, double radius);
+SolidPtr chamfer_edges(const Solid& solid, const Bundle& edges, double first, double second);
+SolidPtr hollow(const Solid& solid, const Bundle& open, double thickness, std::uint8_t corner,
+                double tolerance);
+SolidPtr solid_wedge(const At& at, double dx, double dy, double dz, double xmin, double zmin,
+                     double xmax, double zmax);
+SolidPtr solid_torus(const At& at, double major, double minor);
+SolidPtr solid_sphere(const At& at, double radius, double low, double high, double turn);
+SolidPtr solid_cylinder(const At& at, double radius, double height, double turn);
+SolidPtr solid_cone(const At& at, double base, double top, double height, double turn);
+
+// combine.cpp
+SolidPtr fuse_all(const Solid& shape, const Bundle& others, bool glue, double tolerance);
+SolidPtr cut_all(const Solid& shape, const Bundle& tools, double tolerance);
+SolidPtr common_all(const Solid& shape, const Bundle& others, double tolerance);
+SolidPtr split_all(const Solid& shape, const Bundle& tools);
+SolidPtr cleaned(const Solid& shape);
+
 }  // namespace assemcad

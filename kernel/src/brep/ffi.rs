@@ -124,5 +124,105 @@ pub mod bridge {
         fn faces_of_wires(wires: &Bundle) -> Result<UniquePtr<Bundle>>;
         fn outer_wire_of(face: &Solid) -> Result<UniquePtr<Solid>>;
         fn inner_wires_of(face: &Solid) -> Result<UniquePtr<Bundle>>;
+
+        fn extrude(profile: &Solid, vector: &[f64; 3]) -> Result<UniquePtr<Solid>>;
+        fn extrude_tapered(face: &Solid, slant: f64, taper: f64) -> Result<UniquePtr<Solid>>;
+        fn extrude_until(
+            basis: &Solid,
+            face: &Solid,
+            up_to: &Bundle,
+            taper: f64,
+            additive: bool,
+        ) -> Result<UniquePtr<Solid>>;
+        fn faces_on_line(
+            shape: &Solid,
+            point: &[f64; 3],
+            direction: &[f64; 3],
+            side: u8,
+            tolerance: f64,
+        ) -> Result<UniquePtr<Bundle>>;
+        fn extrude_twisted(
+            face: &Solid,
+            center: &[f64; 3],
+            vector: &[f64; 3],
+            radians: f64,
+        ) -> Result<UniquePtr<Solid>>;
+        fn turn_about(
+            profile: &Solid,
+            from: &[f64; 3],
+            direction: &[f64; 3],
+            radians: f64,
+        ) -> Result<UniquePtr<Solid>>;
+        fn sweep(
+            profile: &Solid,
+            path: &Solid,
+            guide: &Bundle,
+            normal: &[f64],
+            frenet: bool,
+            solid: bool,
+            transition: u8,
+        ) -> Result<UniquePtr<Solid>>;
+        fn sweep_multi(
+            sections: &Bundle,
+            path: &Solid,
+            guide: &Bundle,
+            normal: &[f64],
+            frenet: bool,
+            solid: bool,
+        ) -> Result<UniquePtr<Solid>>;
+        fn loft(wires: &Bundle, ruled: bool, solid: bool) -> Result<UniquePtr<Solid>>;
+
+        fn fillet_edges(solid: &Solid, edges: &Bundle, radius: f64) -> Result<UniquePtr<Solid>>;
+        fn chamfer_edges(
+            solid: &Solid,
+            edges: &Bundle,
+            first: f64,
+            second: f64,
+        ) -> Result<UniquePtr<Solid>>;
+        fn hollow(
+            solid: &Solid,
+            open: &Bundle,
+            thickness: f64,
+            corner: u8,
+            tolerance: f64,
+        ) -> Result<UniquePtr<Solid>>;
+        fn solid_wedge(
+            at: &At,
+            dx: f64,
+            dy: f64,
+            dz: f64,
+            xmin: f64,
+            zmin: f64,
+            xmax: f64,
+            zmax: f64,
+        ) -> Result<UniquePtr<Solid>>;
+        fn solid_torus(at: &At, major: f64, minor: f64) -> Result<UniquePtr<Solid>>;
+        fn solid_sphere(
+            at: &At,
+            radius: f64,
+            low: f64,
+            high: f64,
+            turn: f64,
+        ) -> Result<UniquePtr<Solid>>;
+        fn solid_cylinder(at: &At, radius: f64, height: f64, turn: f64)
+        -> Result<UniquePtr<Solid>>;
+        fn solid_cone(
+            at: &At,
+            base: f64,
+            top: f64,
+            height: f64,
+            turn: f64,
+        ) -> Result<UniquePtr<Solid>>;
+
+        fn fuse_all(
+            shape: &Solid,
+            others: &Bundle,
+            glue: bool,
+            tolerance: f64,
+        ) -> Result<UniquePtr<Solid>>;
+        fn cut_all(shape: &Solid, tools: &Bundle, tolerance: f64) -> Result<UniquePtr<Solid>>;
+        fn common_all(shape: &Solid, others: &Bundle, tolerance: f64) -> Result<UniquePtr<Solid>>;
+        fn split_all(shape: &Solid, tools: &Bundle) -> Result<UniquePtr<Solid>>;
+        fn cleaned(shape: &Solid) -> Result<UniquePtr<Solid>>;
     }
 }

@@ -14,15 +14,19 @@ use crate::limits::{SMALLEST, coordinates};
 use crate::shape::{Shape, pose, start};
 
 mod along;
+mod booleans;
 mod curves;
 mod faces;
 mod ffi;
 mod look;
+mod solids;
+mod sweeps;
 mod topology;
 mod wires;
 
 pub use curves::Spline;
 pub use look::{Form, Measure};
+pub use sweeps::{Side, Sweep, Transition};
 pub use topology::Topology;
 pub use wires::Corner;
 
