@@ -3,10 +3,10 @@
 use std::env;
 use std::error::Error;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What the verbs use, beyond what comes along with `opencascade-sys`.
-const LIBRARIES: [&str; 21] = [
+const LIBRARIES: [&str; 23] = [
     "TKDESTEP",
     "TKXSBase",
     "TKXCAF",
@@ -14,6 +14,8 @@ const LIBRARIES: [&str; 21] = [
     "TKCAF",
     "TKLCAF",
     "TKCDF",
+    "TKFeat",
+    "TKOffset",
     "TKFillet",
     "TKBool",
     "TKBO",
@@ -30,21 +32,30 @@ const LIBRARIES: [&str; 21] = [
     "TKernel",
 ];
 
-const SOURCES: [&str; 14] = [
+const SOURCES: [&str; 23] = [
+    "along",
+    "areas",
     "booleans",
+    "combine",
     "common",
+    "curves",
     "edges",
     "facts",
     "io",
+    "look",
     "mesh",
     "pair",
     "place",
     "primitives",
     "profile",
     "query",
+    "solids",
     "start",
     "step_read",
     "step_write",
+    "sweeps",
+    "topology",
+    "wires",
 ];
 
 fn place_of(variable: &str) -> Result<String, Box<dyn Error>> {
@@ -62,7 +73,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let include = place_of("ASSEMCAD_OCCT_INCLUDE")?;
     let lib = place_of("ASSEMCAD_OCCT_LIB")?;
 
-    let mut build = cxx_build::bridge("src/ffi.rs");
+    let mut build = cxx_build::bridges(["src/ffi.rs", "src/brep/ffi.rs"]);
     for source in SOURCES {
         build.file(format!("cpp/{source}.cpp"));
     }
@@ -112,11 +123,14 @@ fn occt_version(include: &str) -> Result<String, Box<dyn Error>> {
 /// version of them made are not taken from the cache.
 fn sources() -> Result<u64, Box<dyn Error>> {
     let mut files = Vec::new();
-    for folder in ["cpp", "src"] {
+    let mut folders = vec![PathBuf::from("cpp"), PathBuf::from("src")];
+    while let Some(folder) = folders.pop() {
         for entry in fs::read_dir(folder)? {
             let path = entry?.path();
             if path.is_file() {
                 files.push(path);
+            } else {
+                folders.push(path);
             }
         }
     }
