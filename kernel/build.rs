@@ -32,14 +32,12 @@ const LIBRARIES: [&str; 23] = [
     "TKernel",
 ];
 
-const SOURCES: [&str; 23] = [
+const SOURCES: [&str; 20] = [
     "along",
     "areas",
-    "booleans",
     "combine",
     "common",
     "curves",
-    "edges",
     "facts",
     "io",
     "look",
@@ -47,7 +45,6 @@ const SOURCES: [&str; 23] = [
     "pair",
     "place",
     "primitives",
-    "profile",
     "query",
     "solids",
     "start",

@@ -74,12 +74,9 @@ using StepDocPtr = std::unique_ptr<StepDoc>;
 // Shared with Rust; defined in the generated header.
 struct At;
 struct Pose;
-struct Piece;
 struct BoundsRaw;
 struct MassRaw;
 struct CheckRaw;
-struct PartsRaw;
-struct BooleanRaw;
 struct FaceRaw;
 struct EdgeRaw;
 struct DistanceRaw;
@@ -92,32 +89,19 @@ struct LeafRaw;
 using Bytes = rust::Slice<const std::uint8_t>;
 using Reals = rust::Slice<const double>;
 using Indices = rust::Slice<const std::uint32_t>;
-using Pieces = rust::Slice<const Piece>;
 
 // start.cpp
 void quiet();
 
-// primitives.cpp, profile.cpp
+// primitives.cpp
 SolidPtr make_box(const At& at, double dx, double dy, double dz);
 SolidPtr make_cylinder(const At& at, double radius, double height);
 SolidPtr make_cone(const At& at, double base, double top, double height);
 SolidPtr make_sphere(const At& at, double radius);
-SolidPtr make_prism(const At& at, Pieces pieces, double length);
-SolidPtr make_revolution(const At& at, Pieces pieces, const At& axis, double radians);
-
-// booleans.cpp
-BooleanRaw boolean(const Solid& a, const Solid& b, std::uint8_t kind);
-PartsRaw parts(const Solid& solid);
-SolidPtr only_solid(const Solid& solid);
-SolidPtr unify(const Solid& solid);
 
 // place.cpp
 SolidPtr place(const Solid& solid, const Pose& pose);
 bool has_locations(const Solid& solid);
-
-// edges.cpp
-SolidPtr fillet(const Solid& solid, Indices edges, double radius);
-SolidPtr chamfer(const Solid& solid, Indices edges, double distance);
 
 // query.cpp
 BoundsRaw bounds(const Solid& solid, const Pose& pose);

@@ -1,10 +1,8 @@
 //! Union, difference and intersection, each judged by what it must do to the volume.
 
 use assemcad_model::frame::Placement;
-use cxx::UniquePtr;
 
-use crate::error::{Context, KernelError, Result};
-use crate::ffi::bridge;
+use crate::error::{KernelError, Result};
 use crate::pair;
 use crate::query::Side;
 use crate::shape::Shape;
@@ -51,68 +49,9 @@ impl Kind {
             Self::Common => "common part",
         }
     }
-
-    fn code(self) -> u8 {
-        match self {
-            Self::Fuse => 0,
-            Self::Cut => 1,
-            Self::Common => 2,
-        }
-    }
 }
 
 impl Shape {
-    /// The union of two solids that overlap or share a face.
-    ///
-    /// # Errors
-    /// When not exactly one valid solid comes out, or its volume is less than the larger one's or
-    /// more than the sum.
-    pub fn fuse(&self, other: &Self) -> Result<Self> {
-        self.combine(other, Kind::Fuse)
-    }
-
-    /// This solid without `tool`.
-    ///
-    /// # Errors
-    /// When not exactly one valid solid is left, or nothing was removed.
-    pub fn cut(&self, tool: &Self) -> Result<Self> {
-        self.combine(tool, Kind::Cut)
-    }
-
-    /// What two solids have in common.
-    ///
-    /// # Errors
-    /// When not exactly one valid solid comes out, or it is larger than one of the two.
-    pub fn common(&self, other: &Self) -> Result<Self> {
-        self.combine(other, Kind::Common)
-    }
-
-    fn combine(&self, other: &Self, kind: Kind) -> Result<Self> {
-        let name = kind.name();
-        let bridge::BooleanRaw { solid, warnings } =
-            bridge::boolean(self.solid()?, other.solid()?, kind.code())
-                .context(|| format!("the {name} of the two solids could not be computed"))?;
-        let raw = Self::wrap(solid)?;
-        let parts =
-            bridge::parts(raw.solid()?).context(|| format!("the {name} could not be looked at"))?;
-        if parts.solids != 1 {
-            return Err(self.not_one(other, kind, parts.solids)?);
-        }
-        if parts.loose != 0 {
-            return Err(KernelError::invalid(format!(
-                "the {name} leaves faces without a body"
-            )));
-        }
-        let plain = Self::wrap(
-            bridge::only_solid(raw.solid()?)
-                .context(|| format!("the {name} could not be looked at"))?,
-        )?
-        .checked(&format!("the result of the {name}"))?;
-        self.plausible(other, kind, plain.mass()?.volume)?;
-        self.vouched(other, kind, &plain, &warnings)?;
-        plain.unified()
-    }
-
     /// That points are in the result exactly when they should be: the one check that does not rest
     /// on the boolean itself, which may be wrong without a word, and right in spite of its warnings.
     fn vouched(&self, other: &Self, kind: Kind, result: &Self, warnings: &[String]) -> Result<()> {
@@ -161,30 +100,6 @@ impl Shape {
         Ok(())
     }
 
-    /// The solid with faces of one surface joined, where that changes nothing else.
-    fn unified(self) -> Result<Self> {
-        let unified = bridge::unify(self.solid()?)
-            .map(|solid| Self::from_unified(&solid))
-            // Joining faces is a nicety: a failure leaves the solid as it was.
-            .unwrap_or(None);
-        let Some(unified) = unified else {
-            return Ok(self);
-        };
-        let (before, after) = (self.mass()?.volume, unified.mass()?.volume);
-        Ok(if (before - after).abs() <= EQUAL * before {
-            unified
-        } else {
-            self
-        })
-    }
-
-    fn from_unified(solid: &UniquePtr<bridge::Solid>) -> Option<Self> {
-        let single = bridge::only_solid(solid.as_ref()?).ok()?;
-        Self::wrap(single)
-            .and_then(|shape| shape.checked("the joined solid"))
-            .ok()
-    }
-
     fn plausible(&self, other: &Self, kind: Kind, volume: f64) -> Result<()> {
         let (a, b) = (self.mass()?.volume, other.mass()?.volume);
         let wrong = |rule: &str| {
@@ -213,22 +128,6 @@ impl Shape {
                 Err(wrong("which is more than the smaller one"))
             }
             _ => Ok(()),
-        }
-    }
-
-    fn not_one(&self, other: &Self, kind: Kind, solids: u32) -> Result<KernelError> {
-        match (kind, solids) {
-            (Kind::Fuse, n) => self.apart(
-                other,
-                &format!("the solids do not join: the fuse leaves {n} separate solids"),
-                true,
-            ),
-            (Kind::Cut, 0) => self.apart(other, "the cut leaves nothing of the solid", false),
-            (Kind::Common, 0) => self.apart(other, "the solids have no volume in common", true),
-            (_, n) => Ok(KernelError::refused(format!(
-                "the {} leaves {n} separate solids instead of one",
-                kind.name()
-            ))),
         }
     }
 

@@ -21,18 +21,6 @@ pub mod bridge {
         rows: [f64; 12],
     }
 
-    /// A piece of an outline: kind 0 line, 1 arc, 2 full circle. Pieces of one outline follow each
-    /// other; a line ends where the next one starts.
-    #[derive(Debug, Clone, Copy)]
-    struct Piece {
-        outline: u32,
-        kind: u8,
-        start: [f64; 2],
-        center: [f64; 2],
-        radius: f64,
-        sweep: f64,
-    }
-
     #[derive(Debug, Clone, Copy)]
     struct BoundsRaw {
         min: [f64; 3],
@@ -52,17 +40,6 @@ pub mod bridge {
         reasons: Vec<String>,
         solids: u32,
         closed: bool,
-    }
-
-    #[derive(Debug)]
-    struct PartsRaw {
-        solids: u32,
-        loose: u32,
-    }
-
-    struct BooleanRaw {
-        solid: UniquePtr<Solid>,
-        warnings: Vec<String>,
     }
 
     #[derive(Debug)]
@@ -161,23 +138,8 @@ pub mod bridge {
         fn make_cylinder(at: &At, radius: f64, height: f64) -> Result<UniquePtr<Solid>>;
         fn make_cone(at: &At, base: f64, top: f64, height: f64) -> Result<UniquePtr<Solid>>;
         fn make_sphere(at: &At, radius: f64) -> Result<UniquePtr<Solid>>;
-        fn make_prism(at: &At, pieces: &[Piece], length: f64) -> Result<UniquePtr<Solid>>;
-        fn make_revolution(
-            at: &At,
-            pieces: &[Piece],
-            axis: &At,
-            radians: f64,
-        ) -> Result<UniquePtr<Solid>>;
-
-        fn boolean(a: &Solid, b: &Solid, kind: u8) -> Result<BooleanRaw>;
-        fn parts(solid: &Solid) -> Result<PartsRaw>;
-        fn only_solid(solid: &Solid) -> Result<UniquePtr<Solid>>;
-        fn unify(solid: &Solid) -> Result<UniquePtr<Solid>>;
         fn place(solid: &Solid, pose: &Pose) -> Result<UniquePtr<Solid>>;
         fn has_locations(solid: &Solid) -> Result<bool>;
-        fn fillet(solid: &Solid, edges: &[u32], radius: f64) -> Result<UniquePtr<Solid>>;
-        fn chamfer(solid: &Solid, edges: &[u32], distance: f64) -> Result<UniquePtr<Solid>>;
-
         fn bounds(solid: &Solid, pose: &Pose) -> Result<BoundsRaw>;
         fn mass(solid: &Solid) -> Result<MassRaw>;
         fn check(solid: &Solid) -> Result<CheckRaw>;

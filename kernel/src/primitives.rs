@@ -1,12 +1,10 @@
-//! Solids from numbers: box, cylinder, cone, sphere, and the sweeps of a profile.
+//! Solids from numbers: box, cylinder, cone, sphere; and the check that a shape is one sound solid.
 
 use assemcad_model::frame::Frame;
-use assemcad_model::recipe::Profile;
 
 use crate::error::{Context, KernelError, Result};
 use crate::ffi::bridge;
 use crate::limits::{SMALLEST, coordinates, length};
-use crate::profile;
 use crate::shape::{Shape, frame, start};
 
 impl Shape {
@@ -83,58 +81,6 @@ impl Shape {
             .context(|| format!("the sphere of radius {radius} mm could not be built"))
             .and_then(Self::wrap)?
             .checked("the sphere")
-    }
-
-    /// A profile moved along z of its frame by `length` mm; negative goes against z.
-    ///
-    /// # Errors
-    /// When the profile is no simple region, or a number is out of range.
-    pub fn prism(profile: &Profile, distance: f64) -> Result<Self> {
-        length("prism's length", distance.abs())?;
-        // Always swept along +z, from the lower end: both signs then take the same way.
-        let mut at = profile.at;
-        if distance < 0.0 {
-            for (o, z) in at.origin.iter_mut().zip(frame(&profile.at)?.z) {
-                *o += z * distance;
-            }
-        }
-        let at = begin(&at)?;
-        let pieces = profile::pieces(profile)?;
-        bridge::make_prism(&at, &pieces, distance.abs())
-            .context(|| format!("the prism of {distance} mm could not be built"))
-            .and_then(Self::wrap)?
-            .checked("the prism")
-    }
-
-    /// A profile turned about an axis in its plane by `angle_deg`, over 0 up to 360 degrees.
-    ///
-    /// # Errors
-    /// When the profile is no simple region or crosses the axis, or a number is out of range.
-    pub fn revolve(
-        profile: &Profile,
-        axis_point: [f64; 2],
-        axis_direction: [f64; 2],
-        angle_deg: f64,
-    ) -> Result<Self> {
-        if !(angle_deg > 0.0 && angle_deg <= 360.0) {
-            return Err(KernelError::refused(format!(
-                "the angle of the revolution is {angle_deg} degrees, and must lie over 0 up to 360"
-            )));
-        }
-        let at = begin(&profile.at)?;
-        let pieces = profile::pieces(profile)?;
-        profile::beside_axis(&pieces, axis_point, axis_direction)?;
-        let axis = profile::axis(&profile.at, axis_point, axis_direction)?;
-        // 0 stands for the full turn, which closes onto itself.
-        let radians = if angle_deg == 360.0 {
-            0.0
-        } else {
-            angle_deg.to_radians()
-        };
-        bridge::make_revolution(&at, &pieces, &axis, radians)
-            .context(|| format!("the revolution of {angle_deg} degrees could not be built"))
-            .and_then(Self::wrap)?
-            .checked("the revolution")
     }
 
     /// The shape, when it is one valid closed solid of positive volume.

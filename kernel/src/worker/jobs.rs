@@ -14,8 +14,8 @@ use crate::error::{KernelError, Result};
 use crate::protocol::{
     Built, CommonVolume, Doing, Instance, Job, Placed, Product, Reply, Source, StepFacts, StepLeaf,
 };
-use crate::shape::Shape;
 use crate::replay::Part;
+use crate::shape::Shape;
 use crate::{contact, pair, replay, step};
 
 /// What stands in a STEP header where it asks for persons.

@@ -42,24 +42,33 @@ fn named(name: &str) -> Option<([f64; 3], [f64; 3])> {
     })
 }
 
+/// The plane of a name.
+pub(super) fn named_plane(word: &str, origin: Vector) -> Result<Placement> {
+    let (x, z) = named(word).ok_or_else(|| {
+        KernelError::refused(format!(
+            "there is no plane '{}': they are XY, YZ, ZX, XZ, YX, ZY, front, back, left, right, top \
+             and bottom",
+            assemcad_model::param::clip(word)
+        ))
+    })?;
+    plane(origin, x.into(), z.into())
+}
+
 /// `Workplane(inPlane, origin, obj)`.
 pub(super) fn begin(args: &Args<'_>) -> Result<Value> {
     let origin = args.vector("origin")?;
     let on_plane = args.json("inPlane");
     let (at, mut objects) = if let Some(word) = on_plane.and_then(|json| json.as_str()) {
-        let (x, z) = named(word).ok_or_else(|| {
-            KernelError::refused(format!(
-                "there is no plane '{}': they are XY, YZ, ZX, XZ, YX, ZY, front, back, left, right, \
-                 top and bottom",
-                assemcad_model::param::clip(word)
-            ))
-        })?;
-        (plane(origin, x.into(), z.into())?, Vec::new())
+        (named_plane(word, origin)?, Vec::new())
     } else if let Some(at) = on_plane.and_then(frame) {
         (at, Vec::new())
     } else {
         // A shape, or a place given to a function of eachpoint, stands on the stack of XY.
-        let objects = match args.reference("inPlane").map(|at| args.value(at)).transpose()? {
+        let objects = match args
+            .reference("inPlane")
+            .map(|at| args.value(at))
+            .transpose()?
+        {
             Some(Value::Place(place)) => {
                 return Ok(Value::Node(Node::begin(*place, Vec::new())));
             }
@@ -148,8 +157,8 @@ fn seat(node: &Node, by_box: bool) -> Result<Seat> {
     }
     let center = match &object {
         Object::Point(point) => *point,
-        Object::Shape(body) if by_box => body.shape.box_center()?.into(),
-        Object::Shape(body) => body.shape.center()?.into(),
+        Object::Shape(body) if by_box => body.box_center()?.into(),
+        Object::Shape(body) => body.center()?.into(),
         Object::Place(_) => {
             return Err(KernelError::refused(
                 "a workplane needs a face, a vertex or a point, and the stack holds a location",
@@ -158,7 +167,12 @@ fn seat(node: &Node, by_box: bool) -> Result<Seat> {
     };
     // A vertex of a selected face: the face says the direction.
     let before = node.parent.as_ref().map(|parent| parent.first());
-    if let Some(face) = before.as_ref().map(|b| b.of(Topology::Face)).transpose()?.flatten() {
+    if let Some(face) = before
+        .as_ref()
+        .map(|b| b.of(Topology::Face))
+        .transpose()?
+        .flatten()
+    {
         let normal = Vector::from(face.normal_at(Some(center.into()))?);
         return Ok(Seat {
             center,
@@ -185,7 +199,9 @@ pub(super) fn workplane(args: &Args<'_>) -> Result<Value> {
     } = seat(&node, option == "CenterOfBoundBox")?;
     normal = normal.normalize();
     if option == "ProjectedOrigin" {
-        let origin = args.vector_or_none("origin")?.unwrap_or_else(|| node.origin());
+        let origin = args
+            .vector_or_none("origin")?
+            .unwrap_or_else(|| node.origin());
         center = origin - normal * (origin - center).dot(&normal);
     }
     if args.flag("invert")? {
@@ -363,12 +379,7 @@ pub(super) fn parts(node: &Node, kind: Topology) -> Result<Vec<Rc<Shape>>> {
 pub(super) fn bodies(shapes: impl IntoIterator<Item = Rc<Shape>>) -> Vec<Object> {
     shapes
         .into_iter()
-        .map(|shape| {
-            Object::Shape(super::value::Body {
-                shape,
-                construction: false,
-            })
-        })
+        .map(|shape| Object::Shape(shape))
         .collect()
 }
 

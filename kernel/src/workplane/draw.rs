@@ -8,7 +8,7 @@ use assemcad_model::language::{Outline, Segment};
 
 use super::args::Args;
 use super::each::at_each_place;
-use super::value::{Body, Node, Object, Value, Vector};
+use super::value::{Node, Object, Value, Vector};
 use crate::brep::{Corner, Spline, Topology};
 use crate::error::{KernelError, Result};
 use crate::shape::Shape;
@@ -56,16 +56,17 @@ fn pend_edge(node: &Node, edge: &Rc<Shape>) -> Result<()> {
 fn drawn(args: &Args<'_>, node: &Rc<Node>, edge: Shape) -> Result<Value> {
     let construction = args.given("forConstruction") && args.flag("forConstruction")?;
     let as_wire = args.given("makeWire") && args.flag("makeWire")?;
-    let shape = Rc::new(if as_wire { Shape::wire(&[&edge])? } else { edge });
+    let shape = Rc::new(if as_wire {
+        Shape::wire(&[&edge])?
+    } else {
+        edge
+    });
     if as_wire && !construction {
         node.context.borrow_mut().wires.push(Rc::clone(&shape));
     } else if !construction {
         pend_edge(node, &shape)?;
     }
-    Ok(Value::Node(node.next(vec![Object::Shape(Body {
-        shape,
-        construction,
-    })])))
+    Ok(Value::Node(node.next(vec![Object::Shape(shape)])))
 }
 
 /// `moveTo` and `move`.
@@ -128,10 +129,7 @@ fn lines_through(node: &Rc<Node>, points: &[Vector], construction: bool) -> Resu
             if !construction {
                 pend_edge(node, &shape)?;
             }
-            edges.push(Object::Shape(Body {
-                shape,
-                construction,
-            }));
+            edges.push(Object::Shape(shape));
         }
     }
     if edges.is_empty() {
@@ -226,7 +224,11 @@ fn points(args: &Args<'_>, node: &Node) -> Result<Vec<[f64; 3]>> {
         all.push(current(node)?.into());
     }
     let listed = args.vectors("listOfXYTuple")?;
-    all.extend(listed.into_iter().map(|p| -> [f64; 3] { node.to_world(p).into() }));
+    all.extend(
+        listed
+            .into_iter()
+            .map(|p| -> [f64; 3] { node.to_world(p).into() }),
+    );
     Ok(all)
 }
 
@@ -309,10 +311,7 @@ pub(super) fn wired(node: &Rc<Node>, construction: bool) -> Result<Rc<Node>> {
             objects.push(object.clone());
         }
     }
-    objects.push(Object::Shape(Body {
-        shape,
-        construction,
-    }));
+    objects.push(Object::Shape(shape));
     Ok(node.next(objects))
 }
 
@@ -345,7 +344,10 @@ fn consolidated(node: &Node) -> Result<Vec<Rc<Shape>>> {
     if all.is_empty() {
         return Ok(Vec::new());
     }
-    Ok(Shape::connected_wires(&all)?.into_iter().map(Rc::new).collect())
+    Ok(Shape::connected_wires(&all)?
+        .into_iter()
+        .map(Rc::new)
+        .collect())
 }
 
 /// `consolidateWires()`.
@@ -420,12 +422,7 @@ pub(super) fn offset(args: &Args<'_>) -> Result<Value> {
     }
     let objects = found
         .into_iter()
-        .map(|shape| {
-            Object::Shape(Body {
-                shape,
-                construction,
-            })
-        })
+        .map(|shape| Object::Shape(shape))
         .collect();
     Ok(Value::Node(node.next(objects)))
 }

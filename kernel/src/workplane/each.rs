@@ -7,7 +7,7 @@ use assemcad_model::frame::{Frame, Placement};
 
 use super::args::{Args, vector};
 use super::combine::{Mode, combined};
-use super::value::{Body, Node, Object, Value, Vector};
+use super::value::{Node, Object, Value, Vector};
 use crate::brep::Topology;
 use crate::error::{KernelError, Result};
 use crate::shape::Shape;
@@ -26,7 +26,7 @@ pub(super) fn places(node: &Node) -> Result<Vec<Placement>> {
             let world = match object {
                 Object::Place(place) => return Ok(*place),
                 Object::Point(point) => *point,
-                Object::Shape(body) => body.shape.center()?.into(),
+                Object::Shape(body) => body.center()?.into(),
             };
             let local = node.to_local(world);
             Ok(Placement::translation(local.x, local.y, local.z))
@@ -42,10 +42,7 @@ pub(super) fn at_each_place(node: &Rc<Node>, wire: &Shape, construction: bool) -
         if !construction {
             node.context.borrow_mut().wires.push(Rc::clone(&shape));
         }
-        objects.push(Object::Shape(Body {
-            shape,
-            construction,
-        }));
+        objects.push(Object::Shape(shape));
     }
     Ok(node.next(objects))
 }
@@ -71,9 +68,7 @@ fn counted(name: &str, count: i32) -> Result<usize> {
     usize::try_from(count)
         .ok()
         .filter(|n| (1..=MOST_POINTS).contains(n))
-        .ok_or_else(|| {
-            KernelError::refused(format!("{name} is 1 to {MOST_POINTS}, not {count}"))
-        })
+        .ok_or_else(|| KernelError::refused(format!("{name} is 1 to {MOST_POINTS}, not {count}")))
 }
 
 /// `rarray(xSpacing, ySpacing, xCount, yCount, center)`.
@@ -92,8 +87,16 @@ pub(super) fn rarray(args: &Args<'_>) -> Result<Value> {
         ));
     }
     let [cx, cy] = args.flags("center")?;
-    let x0 = if cx { -dx * f64::from(nx - 1) * 0.5 } else { 0.0 };
-    let y0 = if cy { -dy * f64::from(ny - 1) * 0.5 } else { 0.0 };
+    let x0 = if cx {
+        -dx * f64::from(nx - 1) * 0.5
+    } else {
+        0.0
+    };
+    let y0 = if cy {
+        -dy * f64::from(ny - 1) * 0.5
+    } else {
+        0.0
+    };
     let mut objects = Vec::new();
     for i in 0..nx {
         for j in 0..ny {
@@ -237,11 +240,7 @@ pub(super) fn sphere(args: &Args<'_>) -> Result<Value> {
 
 /// `wedge(dx, dy, dz, xmin, zmin, xmax, zmax, dir, centered)`.
 pub(super) fn wedge(args: &Args<'_>) -> Result<Value> {
-    let (dx, dy, dz) = (
-        args.length("dx")?,
-        args.length("dy")?,
-        args.length("dz")?,
-    );
+    let (dx, dy, dz) = (args.length("dx")?, args.length("dy")?, args.length("dz")?);
     let [cx, cy, cz] = args.flags("centered")?;
     let back = |centered: bool, size: f64| if centered { -size / 2.0 } else { 0.0 };
     let at = upright(
@@ -280,9 +279,9 @@ pub(super) fn each_point(
                 continue;
             };
             let moved = if by_function {
-                body.shape.try_clone()?
+                body.try_clone()?
             } else {
-                body.shape.moved(&at)?
+                body.moved(&at)?
             };
             made.push(if local {
                 moved.moved(&node.plane)?
@@ -315,7 +314,7 @@ pub(super) fn each_object(
     for object in objects {
         for result in make(object)? {
             if let Object::Shape(body) = result {
-                made.push(body.shape.try_clone()?);
+                made.push(body.try_clone()?);
             }
         }
     }
@@ -332,5 +331,10 @@ fn finish(args: &Args<'_>, node: &Rc<Node>, made: Vec<Shape>) -> Result<Value> {
         }
     }
     let mode = Mode::of(args)?;
-    Ok(Value::Node(combined(node, made, mode, args.flag("clean")?)?))
+    Ok(Value::Node(combined(
+        node,
+        made,
+        mode,
+        args.flag("clean")?,
+    )?))
 }

@@ -108,7 +108,6 @@ pub(super) fn measure(face: &Shape, at: &Placement) -> Result<Extents> {
     Ok(Extents { x, y, hole })
 }
 
-
 /// How far material goes on from a point along a direction in the face.
 fn ray(face: &Shape, from: Vector, way: Vector, reach: f64) -> Result<f64> {
     let line = Shape::line_edge(from.into(), (from + way * reach).into())?;

@@ -186,7 +186,9 @@ impl Run<'_> {
             return Err(KernelError::refused("the function gives no shape"));
         };
         if variable >= step || target >= step {
-            return Err(KernelError::refused("a function uses what is not before it"));
+            return Err(KernelError::refused(
+                "a function uses what is not before it",
+            ));
         }
         let body = self.body(variable, step);
         let before = self.values.clone();

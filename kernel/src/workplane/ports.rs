@@ -268,7 +268,10 @@ fn pattern_center(node: &Node, name: &str, at: &[Placement]) -> Result<Port> {
         return Err(KernelError::internal("a pattern has no places"));
     };
     let count = u32::try_from(at.len()).map_or(1.0, f64::from);
-    let sum = at.iter().map(Placement::origin).sum::<super::value::Vector>();
+    let sum = at
+        .iter()
+        .map(Placement::origin)
+        .sum::<super::value::Vector>();
     let [x, _, z] = node.plane.axes();
     let here = super::chain::plane(sum / count, x, z)?;
     let level = here.axes();
@@ -333,8 +336,7 @@ pub(super) fn cbore(args: &Args<'_>) -> Result<Value> {
     let drilled = Drilled::of(args)?;
     let (narrow, wide) = (args.length("diameter")?, args.length("cboreDiameter")?);
     let floor = args.length("cboreDepth")?;
-    let tool =
-        drill(narrow, drilled.depth)?.fused(&[&drill(wide, floor)?], false, None)?;
+    let tool = drill(narrow, drilled.depth)?.fused(&[&drill(wide, floor)?], false, None)?;
     drilled.with_ports(args, &tool, narrow, PortType::Hole, |name, at, depth| {
         let at = *at * Placement::translation(0.0, 0.0, -floor);
         let found = params([
@@ -403,7 +405,11 @@ pub(super) fn tapped(args: &Args<'_>) -> Result<Value> {
 }
 
 /// What is made at each place, joined to the chain's solid where there is one.
-fn grown(args: &Args<'_>, made: &Shape, ports: Vec<(String, Placement, PortType, Params)>) -> Result<Value> {
+fn grown(
+    args: &Args<'_>,
+    made: &Shape,
+    ports: Vec<(String, Placement, PortType, Params)>,
+) -> Result<Value> {
     let node = args.on()?;
     let mut tools = Vec::new();
     for place in places(&node)? {
@@ -510,8 +516,8 @@ pub(super) fn snap(args: &Args<'_>) -> Result<Value> {
     let wire = Shape::polyline_wire(&outline, true)?;
     let made = Shape::face(&wire, &[])?.extruded([0.0, width, 0.0], 0.0)?;
     let found = params([("overlap", overlap), ("width", width)]);
-    let locking = Placement::translation(half + overlap / 2.0, 0.0, lock)
-        * Placement::rotation_x(180.0);
+    let locking =
+        Placement::translation(half + overlap / 2.0, 0.0, lock) * Placement::rotation_x(180.0);
     let ports = at_places(args, &locking, PortType::SnapFit, &found)?;
     grown(args, &made, ports)
 }
@@ -549,7 +555,9 @@ pub(super) fn face(args: &Args<'_>) -> Result<Value> {
 
 fn plane_argument(args: &Args<'_>) -> Result<Placement> {
     match args.json("at") {
-        Some(serde_json::Value::String(word)) => super::chain::named_plane(word),
+        Some(serde_json::Value::String(word)) => {
+            super::chain::named_plane(word, super::value::Vector::zeros())
+        }
         Some(json) => super::args::frame(json)
             .ok_or_else(|| KernelError::refused("at is a plane: cq.Plane(origin, xDir, normal)")),
         None => Err(KernelError::internal("there is no plane")),

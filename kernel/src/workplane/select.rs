@@ -119,12 +119,7 @@ fn angle(a: &Vector, b: &Vector) -> f64 {
     libm::atan2(a.cross(b).norm(), a.dot(b))
 }
 
-fn nth(
-    shapes: &[Rc<Shape>],
-    key: &Key,
-    index: i32,
-    ascending: bool,
-) -> Result<Vec<Rc<Shape>>> {
+fn nth(shapes: &[Rc<Shape>], key: &Key, index: i32, ascending: bool) -> Result<Vec<Rc<Shape>>> {
     let mut keyed = Vec::new();
     for shape in shapes {
         if let Some(value) = value(shape, key)? {
@@ -164,12 +159,12 @@ fn nth(
 fn value(shape: &Shape, key: &Key) -> Result<Option<f64>> {
     let kind = shape.topology()?;
     Ok(match key {
-        Key::Center(along) => Some(Vector::from(*along).dot(&shape.center()?.into())),
+        Key::Center(along) => Some(Vector::from(*along).dot(&Vector::from(shape.center()?))),
         Key::ParallelCenter(along) => {
             let along = Vector::from(*along);
             match direction(shape)? {
                 Some(v) if along.cross(&v).norm() < TOLERANCE => {
-                    Some(along.dot(&shape.center()?.into()))
+                    Some(along.dot(&Vector::from(shape.center()?)))
                 }
                 _ => None,
             }
@@ -210,5 +205,8 @@ fn nearest(shapes: &[Rc<Shape>], point: &Vector) -> Result<Vec<Rc<Shape>>> {
             best = Some((distance, shape));
         }
     }
-    Ok(best.map(|(_, shape)| Rc::clone(shape)).into_iter().collect())
+    Ok(best
+        .map(|(_, shape)| Rc::clone(shape))
+        .into_iter()
+        .collect())
 }

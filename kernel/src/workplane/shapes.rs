@@ -177,4 +177,3 @@ pub(super) fn method(args: &Args<'_>, short: &str) -> Result<Value> {
     };
     Ok(Value::Object(moved))
 }
-

@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use assemcad_model::frame::Placement;
+use assemcad_model::frame::{Frame, Placement};
 
 use super::args::Args;
 use super::combine::{Mode, combined, cut};
@@ -239,11 +239,7 @@ pub(super) fn twist(args: &Args<'_>) -> Result<Value> {
     let way = node.z() * args.real("distance")?;
     let mut made = Vec::new();
     for face in faces(&node)? {
-        made.push(face.twisted(
-            node.origin().into(),
-            way.into(),
-            args.real("angleDegrees")?,
-        )?);
+        made.push(face.twisted(node.origin().into(), way.into(), args.real("angleDegrees")?)?);
     }
     Ok(Value::Node(combined(
         &node,
@@ -544,7 +540,7 @@ pub(super) fn split(args: &Args<'_>) -> Result<Value> {
     let half = |up: bool| -> Result<Shape> {
         let low = if up { 0.0 } else { -far };
         let at = node.plane * Placement::translation(-far, -far, low);
-        let side = Shape::cuboid_at(&at, [2.0 * far, 2.0 * far, far])?;
+        let side = Shape::cuboid(&at.frame(&Frame::WORLD), [2.0 * far, 2.0 * far, far])?;
         cut(&solid, &[side], None)
     };
     let mut objects = Vec::new();

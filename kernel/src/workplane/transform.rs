@@ -102,10 +102,7 @@ pub(super) fn mirror_plane(args: &Args<'_>) -> Result<(Option<Vector>, Vector)> 
     }
     for object in args.objects("mirrorPlane")? {
         if let Some(face) = object.of(Topology::Face)? {
-            return Ok((
-                Some(face.center()?.into()),
-                face.normal_at(None)?.into(),
-            ));
+            return Ok((Some(face.center()?.into()), face.normal_at(None)?.into()));
         }
     }
     Err(KernelError::refused(
@@ -118,7 +115,9 @@ pub(super) fn mirror(args: &Args<'_>) -> Result<Value> {
     let node = args.on()?;
     let (on_face, normal) = mirror_plane(args)?;
     if normal.norm() == 0.0 {
-        return Err(KernelError::refused("the mirror plane's normal has no length"));
+        return Err(KernelError::refused(
+            "the mirror plane's normal has no length",
+        ));
     }
     let point = args
         .vector_or_none("basePointVector")?
@@ -187,7 +186,7 @@ pub(super) fn tidy(at: &Placement) -> Result<Frame> {
 /// A node's ports moved along with a shape are the business of `moved`; a shape alone has none.
 pub(super) fn moved_object(object: &Object, by: &Placement) -> Result<Object> {
     match object {
-        Object::Shape(body) => Ok(Object::shape(body.shape.moved(by)?)),
+        Object::Shape(body) => Ok(Object::shape(body.moved(by)?)),
         Object::Point(point) => Ok(Object::Point(by.point((*point).into()).into())),
         Object::Place(place) => Ok(Object::Place(*by * *place)),
     }
@@ -195,9 +194,7 @@ pub(super) fn moved_object(object: &Object, by: &Placement) -> Result<Object> {
 
 /// The one shape of an object.
 pub(super) fn body(object: &Object) -> Result<&Shape> {
-    object
-        .as_shape()
-        .map(AsRef::as_ref)
-        .ok_or_else(|| KernelError::refused(format!("a shape is needed, not {}", object.describe())))
+    object.as_shape().map(AsRef::as_ref).ok_or_else(|| {
+        KernelError::refused(format!("a shape is needed, not {}", object.describe()))
+    })
 }
-

@@ -23,28 +23,17 @@ pub(super) enum Object {
     /// A place, in the workplane's own coordinates.
     Place(Placement),
     /// A shape in the world.
-    Shape(Body),
-}
-
-/// A shape on the stack.
-#[derive(Debug, Clone)]
-pub(super) struct Body {
-    pub(super) shape: Rc<Shape>,
-    /// Drawn to find points only.
-    pub(super) construction: bool,
+    Shape(Rc<Shape>),
 }
 
 impl Object {
     pub(super) fn shape(shape: Shape) -> Self {
-        Self::Shape(Body {
-            shape: Rc::new(shape),
-            construction: false,
-        })
+        Self::Shape(Rc::new(shape))
     }
 
     pub(super) fn as_shape(&self) -> Option<&Rc<Shape>> {
         match self {
-            Self::Shape(body) => Some(&body.shape),
+            Self::Shape(shape) => Some(shape),
             _ => None,
         }
     }
@@ -62,7 +51,7 @@ impl Object {
         match self {
             Self::Point(_) => "a point".to_owned(),
             Self::Place(_) => "a location".to_owned(),
-            Self::Shape(body) => match body.shape.topology() {
+            Self::Shape(shape) => match shape.topology() {
                 Ok(Topology::Compound) => "a compound".to_owned(),
                 Ok(Topology::CompSolid) => "a compound of solids".to_owned(),
                 Ok(Topology::Solid) => "a solid".to_owned(),
