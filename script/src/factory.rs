@@ -25,13 +25,56 @@ pub struct Factory {
 /// What a factory makes of its parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Evaluated {
-    /// The operations that the solid needs, the last one making it, and its ports.
+    /// The calls that were made, and which of them gives the part.
     pub recipe: Recipe,
-    /// The line (1-based) of the call that recorded each operation. Beside the recipe and not in it,
+    /// The line (1-based) of each call. Beside the recipe and not in it,
     /// so that a moved line does not change the recipe's hash.
     pub lines: Vec<u32>,
     /// The parameters as they were used: checked, with defaults filled in.
     pub params: Map<String, Value>,
+}
+
+/// Evaluates a plain script: statements as of CadQuery that leave the part in `result`, or give it to
+/// `show_object`.
+///
+/// # Errors
+/// One diagnostic for each fault found, at `factory NAME:line LINE`.
+pub fn script(name: &str, source: &str) -> Result<Evaluated, Vec<Diagnostic>> {
+    script_within(name, source, Limits::default())
+}
+
+/// As [`script`], within other limits.
+///
+/// # Errors
+/// As [`script`].
+pub fn script_within(
+    name: &str,
+    source: &str,
+    limits: Limits,
+) -> Result<Evaluated, Vec<Diagnostic>> {
+    let (recipe, lines) = job(name, source, limits)?.script()?;
+    Ok(Evaluated {
+        recipe,
+        lines,
+        params: Map::new(),
+    })
+}
+
+fn job(name: &str, source: &str, limits: Limits) -> Result<Job, Vec<Diagnostic>> {
+    if source.len() > limits.source_bytes {
+        let fault = Fault::new(format!(
+            "the source has {} bytes, more than {} (limit source_bytes)",
+            source.len(),
+            limits.source_bytes
+        ))
+        .hint("split it into several factories");
+        return Err(vec![fault.diagnostic(name, None)]);
+    }
+    Ok(Job {
+        name: name.to_owned(),
+        source: Arc::from(source),
+        limits,
+    })
 }
 
 impl Factory {
@@ -49,20 +92,7 @@ impl Factory {
     /// # Errors
     /// One diagnostic for each fault found, at `factory NAME:line LINE`.
     pub fn parse_within(name: &str, source: &str, limits: Limits) -> Result<Self, Vec<Diagnostic>> {
-        if source.len() > limits.source_bytes {
-            let fault = Fault::new(format!(
-                "the source has {} bytes, more than {} (limit source_bytes)",
-                source.len(),
-                limits.source_bytes
-            ))
-            .hint("split it into several factories");
-            return Err(vec![fault.diagnostic(name, None)]);
-        }
-        let job = Job {
-            name: name.to_owned(),
-            source: Arc::from(source),
-            limits,
-        };
+        let job = job(name, source, limits)?;
         let declaration = job.clone().declare()?;
         let Job {
             name,

@@ -1,8 +1,11 @@
 //! Faults of a script and how they become diagnostics.
 
+use std::collections::BTreeMap;
+
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::param::clip;
 use starlark::ErrorKind;
+use starlark::codemap::FileSpan;
 
 use crate::limits::Limits;
 
@@ -86,8 +89,13 @@ fn capped(message: &str) -> String {
 }
 
 /// The interpreter's error as a diagnostic.
-pub(crate) fn diagnostic(name: &str, limits: &Limits, error: &starlark::Error) -> Diagnostic {
-    let line = line_of(error);
+pub(crate) fn diagnostic(
+    name: &str,
+    limits: &Limits,
+    lines: &Lines,
+    error: &starlark::Error,
+) -> Diagnostic {
+    let line = line_of(error, lines);
     let (ErrorKind::Fail(cause)
     | ErrorKind::StackOverflow(cause)
     | ErrorKind::Value(cause)
@@ -111,13 +119,14 @@ pub(crate) fn diagnostic(name: &str, limits: &Limits, error: &starlark::Error) -
         ErrorKind::Scope(_) => unknown_name(&text),
         ErrorKind::Internal(_) => Fault::new("the interpreter met a fault of its own here")
             .hint("write the statement in another way"),
-        _ => other(&text, limits),
+        _ => crate::hints::missing(&text, written(error))
+            .unwrap_or_else(|| other(&text, limits)),
     };
     fault.diagnostic(name, line)
 }
 
 /// The line of the statement or call at fault, 1-based.
-fn line_of(error: &starlark::Error) -> Option<u32> {
+fn line_of(error: &starlark::Error, lines: &Lines) -> Option<u32> {
     let span = error.span().or_else(|| {
         error
             .call_stack()
@@ -126,11 +135,33 @@ fn line_of(error: &starlark::Error) -> Option<u32> {
             .rev()
             .find_map(|frame| frame.location.as_ref())
     })?;
-    line_at(span)
+    // What is missing behind a point is named at the end of the expression.
+    if error.kind().to_string().contains("has no attribute") {
+        return u32::try_from(span.resolve_span().end.line + 1).ok();
+    }
+    lines.of(span)
+}
+
+/// What stands in the source where the interpreter found fault.
+fn written(error: &starlark::Error) -> &str {
+    error.span().map(FileSpan::source_span).unwrap_or_default()
+}
+
+/// Where calls stand in a source.
+#[derive(Debug, Default)]
+pub(crate) struct Lines(pub(crate) BTreeMap<u32, u32>);
+
+impl Lines {
+    /// The 1-based line of a call's name, which in a chain over several lines is not where the
+    /// expression begins; of anything else the line where it begins.
+    pub(crate) fn of(&self, span: &FileSpan) -> Option<u32> {
+        let end = span.span.end().get();
+        self.0.get(&end).copied().or_else(|| line_at(span))
+    }
 }
 
 /// The 1-based line at which a span begins.
-pub(crate) fn line_at(span: &starlark::codemap::FileSpan) -> Option<u32> {
+pub(crate) fn line_at(span: &FileSpan) -> Option<u32> {
     u32::try_from(span.resolve_span().begin.line + 1).ok()
 }
 

@@ -15,7 +15,7 @@
 use core::f64::consts::PI;
 
 use assemcad_model::angle::sin_cos_deg;
-use assemcad_model::recipe::{Outline, Segment};
+use assemcad_model::language::{Outline, Segment};
 
 /// How far a flank is at most inside the involute, measured along the normal, in mm.
 pub(crate) const FLANK_TOLERANCE_MM: f64 = 0.5e-3;
@@ -215,7 +215,7 @@ impl Toothing {
             let via = turned(turn(f64::from(tooth) + 0.5), [inner, 0.0]);
             segments.push(segment(round.then_some(via), turned(next, first)));
         }
-        Ok(Outline::Path {
+        Ok(Outline {
             start: turned(turn(0.0), first),
             segments,
         })

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{PI, TAU};
 
-use assemcad_model::recipe::{Outline, Segment};
+use assemcad_model::language::{Outline, Segment};
 
 use super::{FLANK_TOLERANCE_MM, Toothing};
 
@@ -18,9 +18,7 @@ const PLAIN: Toothing = Toothing {
 };
 
 fn pieces(toothing: &Toothing) -> Vec<(Point, Option<Point>, Point)> {
-    let Outline::Path { start, segments } = toothing.outline().unwrap() else {
-        panic!("a path");
-    };
+    let Outline { start, segments } = toothing.outline().unwrap();
     let mut at = start;
     let mut all = Vec::new();
     for segment in segments {

@@ -1,47 +1,73 @@
-//! The list of operations that a script records, and the recipe made of it.
+//! The list of calls that a script records.
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use assemcad_model::ports::Port;
-use assemcad_model::recipe::{FORMAT, Op, Recipe};
+use assemcad_model::recipe::{Call, FORMAT, Recipe, Ref};
+use serde_json::Value as Json;
 
 use crate::fault::Fault;
 use crate::limits::Limits;
 
-/// Operations in the order of their recording, each with its line.
+/// Calls in the order of their recording, each with its line.
 #[derive(Debug)]
 pub(crate) struct Recorder {
-    ops: Vec<Op>,
+    calls: Vec<Call>,
     lines: Vec<u32>,
     pieces: usize,
-    most_ops: usize,
+    most_calls: usize,
     most_pieces: usize,
+    /// Line of the statement that is carried out: where an operator stands.
+    pub(crate) statement: u32,
+}
+
+/// A recorder that values refer to: operators record too, and see nothing but their operands.
+#[derive(Debug, Clone)]
+pub(crate) struct Shared(Arc<Mutex<Recorder>>);
+
+impl Shared {
+    pub(crate) fn new(limits: &Limits) -> Self {
+        Self(Arc::new(Mutex::new(Recorder {
+            calls: Vec::new(),
+            lines: Vec::new(),
+            pieces: 0,
+            most_calls: limits.operations,
+            most_pieces: limits.pieces,
+            statement: 0,
+        })))
+    }
+
+    /// The recorder; evaluations run in one thread, so that nobody waits for it.
+    pub(crate) fn get(&self) -> MutexGuard<'_, Recorder> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
 }
 
 impl Recorder {
-    pub(crate) fn new(limits: &Limits) -> Self {
-        Self {
-            ops: Vec::new(),
-            lines: Vec::new(),
-            pieces: 0,
-            most_ops: limits.operations,
-            most_pieces: limits.pieces,
-        }
-    }
-
-    /// Records an operation and gives its index.
-    pub(crate) fn record(&mut self, op: Op, line: u32) -> Result<u32, Fault> {
-        let index = self.ops.len();
-        if index >= self.most_ops {
+    /// Records a call and gives its index.
+    pub(crate) fn record(
+        &mut self,
+        call: &str,
+        on: Option<Ref>,
+        args: BTreeMap<String, Json>,
+        line: u32,
+    ) -> Result<Ref, Fault> {
+        let index = self.calls.len();
+        if index >= self.most_calls {
             return Err(Fault::new(format!(
-                "more than {} operations are recorded (limit operations)",
-                self.most_ops
+                "more than {} calls are recorded (limit operations)",
+                self.most_calls
             ))
             .hint("make solids once and use them again; use fewer of them"));
         }
-        self.ops.push(op);
+        self.charge(args.values().map(pieces).sum())?;
+        self.calls.push(Call {
+            call: call.to_owned(),
+            on,
+            args,
+        });
         self.lines.push(line);
-        u32::try_from(index).map_err(|_| Fault::new("too many operations"))
+        Ref::try_from(index).map_err(|_| Fault::new("too many calls"))
     }
 
     /// Counts pieces that values outside the interpreter's heap hold.
@@ -49,59 +75,39 @@ impl Recorder {
         self.pieces = self.pieces.saturating_add(pieces);
         if self.pieces > self.most_pieces {
             return Err(Fault::new(format!(
-                "outlines and ports hold more than {} pieces (limit pieces)",
+                "lists of points and texts hold more than {} pieces (limit pieces)",
                 self.most_pieces
             ))
-            .hint("make outlines once and use them again; declare ports last"));
+            .hint("draw outlines once and use their solids again"));
         }
         Ok(())
     }
 
-    /// The recipe of the solid that operation `result` made: what it needs and nothing else,
-    /// renumbered, with the line of each operation.
+    /// The call of an index.
+    pub(crate) fn call(&self, index: Ref) -> Option<&Call> {
+        self.calls.get(index as usize)
+    }
+
+    /// The recipe whose result is that of the call `result`, with the line of each call.
     ///
-    /// Operations only refer to earlier ones, so keeping the order of recording puts `result` last.
-    pub(crate) fn recipe(&self, result: u32, ports: &Arc<Vec<Port>>) -> (Recipe, Vec<u32>) {
-        let mut needed = vec![false; self.ops.len()];
-        let mut stack = vec![result];
-        while let Some(index) = stack.pop() {
-            if let Some(seen) = needed.get_mut(index as usize)
-                && !*seen
-            {
-                *seen = true;
-                stack.extend(
-                    self.ops
-                        .get(index as usize)
-                        .map(Op::inputs)
-                        .unwrap_or_default(),
-                );
-            }
-        }
-        let mut new_index = vec![0_u32; self.ops.len()];
-        let mut next = 0;
-        for (slot, needed) in new_index.iter_mut().zip(&needed) {
-            *slot = next;
-            next += u32::from(*needed);
-        }
-        let rename = |old: u32| new_index.get(old as usize).copied().unwrap_or_default();
-        let kept = || {
-            self.ops
-                .iter()
-                .zip(&self.lines)
-                .zip(&needed)
-                .filter(|(_, needed)| **needed)
+    /// All calls stay: those on one chain share what is drawn and not yet used, so that what does not
+    /// lead to the result may change it all the same.
+    pub(crate) fn recipe(&self, result: Ref) -> (Recipe, Vec<u32>) {
+        let recipe = Recipe {
+            format: FORMAT,
+            calls: self.calls.clone(),
+            result,
         };
-        let ops = kept()
-            .map(|((op, _), _)| op.clone().with_inputs(rename))
-            .collect();
-        let lines = kept().map(|((_, line), _)| *line).collect();
-        (
-            Recipe {
-                format: FORMAT,
-                ops,
-                ports: ports.as_ref().clone(),
-            },
-            lines,
-        )
+        (recipe, self.lines.clone())
+    }
+}
+
+/// How many pieces an argument holds: members of long lists and pieces of long texts.
+fn pieces(value: &Json) -> usize {
+    match value {
+        Json::String(text) => text.len() / 64,
+        Json::Array(items) if items.len() > 3 || items.iter().any(Json::is_array) => items.len(),
+        Json::Object(fields) => fields.values().map(pieces).sum(),
+        _ => 0,
     }
 }

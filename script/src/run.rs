@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use assemcad_model::diagnostic::Diagnostic;
+use assemcad_model::language::Type;
 use assemcad_model::param::ParamSpec;
 use serde_json::{Map, Value as Json};
 use starlark::codemap::FileSpanRef;
@@ -13,10 +14,11 @@ use starlark::eval::{BeforeStmtFunc, BeforeStmtFuncDyn, Evaluator};
 use starlark::syntax::{AstModule, Dialect, DialectTypes};
 use starlark::values::Value;
 
-use crate::fault::{self, Fault};
+use crate::fault::{self, Fault, Lines};
 use crate::language::{self, guard, session::Declaration, session::Session};
 use crate::limits::Limits;
-use crate::values::Solid;
+use crate::recorder::Shared;
+use crate::values::handle;
 
 /// The source of a factory and under what it is evaluated.
 #[derive(Debug, Clone)]
@@ -26,19 +28,19 @@ pub(crate) struct Job {
     pub(crate) limits: Limits,
 }
 
-/// What `build(p)` made: the recipe and the line of each operation.
+/// What `build(p)` made: the recipe and the line of each call.
 pub(crate) type Built = (assemcad_model::recipe::Recipe, Vec<u32>);
 
 /// The language: Starlark with statements at the top level and keyword-only parameters; types may be
 /// written and mean nothing.
-fn dialect() -> Dialect {
+pub(crate) fn dialect() -> Dialect {
     Dialect {
         enable_load: false,
         enable_keyword_only_arguments: true,
         enable_positional_only_arguments: true,
         enable_top_level_stmt: true,
         enable_types: DialectTypes::ParseOnly,
-        // Only so that the scan can tell an f-string from a syntax error and say what to write.
+        // Only so that the lexer tells them from texts: they are rewritten before the parser runs.
         enable_f_strings: true,
         ..Dialect::Standard
     }
@@ -62,7 +64,7 @@ impl Job {
                     Some("function") => {}
                     _ => found.push(
                         Fault::new("the source does not define the function build(p)")
-                            .hint("write `def build(p):` and return a Solid from it")
+                            .hint("write `def build(p):` and return a Workplane from it")
                             .diagnostic(&job.name, None),
                     ),
                 }
@@ -94,18 +96,36 @@ impl Job {
                     return Err(broken.iter().map(|m| fault::of_params(m)).collect());
                 }
                 let result =
-                    result.map_err(|e| vec![fault::diagnostic(&job.name, &job.limits, &e)])?;
-                let Some(solid) = Solid::from_value(result) else {
+                    result.map_err(|e| {
+                        vec![fault::diagnostic(&job.name, &job.limits, &session.lines, &e)]
+                    })?;
+                let hint = "end build(p) with `return` and the finished workplane";
+                built(job, session, "build(p) returned", result, hint)
+            })
+        })
+    }
+
+    /// Evaluates a plain script, which leaves its part in `result` or gives it to `show_object`.
+    pub(crate) fn script(self) -> Result<Built, Vec<Diagnostic>> {
+        self.in_thread(|job, cancelled| {
+            job.evaluate(cancelled, |job, session, module, _| {
+                if session.declaration.borrow().is_some() {
                     return Err(vec![
-                        Fault::new(format!(
-                            "build(p) returned a value of type {} and not a Solid",
-                            result.get_type()
-                        ))
-                        .hint("end build(p) with `return` and the finished solid")
-                        .diagnostic(&job.name, None),
+                        Fault::new("a plain script does not call factory(...)")
+                            .hint("leave factory and build out, or keep it as a factory")
+                            .diagnostic(&job.name, None),
                     ]);
-                };
-                Ok(session.recorder.borrow().recipe(solid.node, &solid.ports))
+                }
+                let hint = "leave the finished workplane in `result`";
+                match (module.get("result"), session.shown.get()) {
+                    (Some(result), _) => built(job, session, "`result` is", result, hint),
+                    (None, Some(shown)) => Ok(session.recorder.get().recipe(shown)),
+                    (None, None) => Err(vec![
+                        Fault::new("the script leaves no `result`")
+                            .hint("end it with `result = ...`, the finished workplane")
+                            .diagnostic(&job.name, None),
+                    ]),
+                }
             })
         })
     }
@@ -130,19 +150,24 @@ impl Job {
             &mut Evaluator<'v, 'a, '_>,
         ) -> Result<T, Vec<Diagnostic>>,
     ) -> Result<T, Vec<Diagnostic>> {
-        let one = |e: &starlark::Error| vec![fault::diagnostic(&self.name, &self.limits, e)];
         let dialect = dialect();
-        let faults = crate::scan::scan(&self.source, &dialect, &self.limits);
-        if !faults.is_empty() {
-            return Err(faults
+        let all = |faults: Vec<Fault>| -> Vec<Diagnostic> {
+            faults
                 .into_iter()
                 .map(|f| f.diagnostic(&self.name, None))
-                .collect());
+                .collect()
+        };
+        let source = crate::python::rewrite(&self.source, &dialect).map_err(all)?;
+        let faults = crate::scan::scan(&source, &dialect, &self.limits);
+        if !faults.is_empty() {
+            return Err(all(faults));
         }
-        let mut ast =
-            AstModule::parse(&self.name, self.source.to_string(), &dialect).map_err(|e| one(&e))?;
+        let lines = Lines(crate::scan::calls(&source, &dialect));
+        let session = Session::new(&self.limits, lines);
+        let one =
+            |e: &starlark::Error| vec![fault::diagnostic(&self.name, &self.limits, &session.lines, e)];
+        let mut ast = AstModule::parse(&self.name, source, &dialect).map_err(|e| one(&e))?;
         ast.replace_binary_operators(&guard::operators());
-        let session = Session::new(&self.limits);
         let deadline = Instant::now() + self.limits.time;
         let ended = move || cancelled.load(Ordering::Relaxed) || Instant::now() > deadline;
         Module::with_temp_heap(|module| {
@@ -165,6 +190,7 @@ impl Job {
             eval.before_stmt_for_dap(BeforeStmtFunc::from_dyn(Box::new(Watch {
                 limits: self.limits.clone(),
                 statements: 0,
+                recorder: session.recorder.clone(),
                 ended,
             })));
             eval.eval_module(ast, language::globals())
@@ -174,10 +200,34 @@ impl Job {
     }
 }
 
+/// The recipe of what a script left, where that is a part.
+fn built(
+    job: &Job,
+    session: &Session,
+    what: &str,
+    result: Value<'_>,
+    hint: &str,
+) -> Result<Built, Vec<Diagnostic>> {
+    match handle(result) {
+        Some(part) if matches!(part.kind, Type::Workplane | Type::Shape) => {
+            Ok(session.recorder.get().recipe(part.node.index))
+        }
+        _ => Err(vec![
+            Fault::new(format!(
+                "{what} {} and not a workplane",
+                language::kind_of(result)
+            ))
+            .hint(hint)
+            .diagnostic(&job.name, None),
+        ]),
+    }
+}
+
 /// Looks at every statement before it is carried out.
 struct Watch<F> {
     limits: Limits,
     statements: u64,
+    recorder: Shared,
     ended: F,
 }
 
@@ -189,6 +239,8 @@ impl<'e, F: Fn() -> bool> BeforeStmtFuncDyn<'e> for Watch<F> {
         eval: &mut Evaluator<'v, '_, 'e>,
     ) -> starlark::Result<()> {
         self.statements += 1;
+        let line = fault::line_at(&span.to_file_span());
+        self.recorder.get().statement = line.unwrap_or(0);
         let fault = if self.statements > self.limits.statements {
             Fault::new(format!(
                 "more than {} statements are carried out (limit statements)",
@@ -202,7 +254,7 @@ impl<'e, F: Fn() -> bool> BeforeStmtFuncDyn<'e> for Watch<F> {
         } else {
             return Ok(());
         };
-        let fault = match fault::line_at(&span.to_file_span()) {
+        let fault = match line {
             Some(line) => fault.line(line),
             None => fault,
         };

@@ -1,6 +1,8 @@
 //! A look at the tokens before the parser sees them: how deep the source nests, and what of Python it
 //! uses that Starlark or this language lacks.
 
+use std::collections::BTreeMap;
+
 use starlark::codemap::CodeMap;
 use starlark::syntax::Dialect;
 use starlark_syntax::lexer::{Lexer, Token};
@@ -36,6 +38,7 @@ pub(crate) fn scan(source: &str, dialect: &Dialect, limits: &Limits) -> Vec<Faul
     };
     let mut faults = Vec::new();
     let mut depth = Depth::default();
+    let mut compared = Compared::default();
     let mut previous = Previous::Nothing;
     for lexeme in Lexer::new(codemap.source(), dialect, codemap.clone()) {
         let (begin, token, end) = match lexeme {
@@ -56,10 +59,6 @@ pub(crate) fn scan(source: &str, dialect: &Dialect, limits: &Limits) -> Vec<Faul
         let text = source.get(begin..end).unwrap_or_default();
         let fault = match &token {
             Token::Load => Some(reserved("import")),
-            Token::FStringStart(_) => Some(
-                Fault::new("there are no f-strings")
-                    .hint("write `\"bore %s leaves no wall\" % d`, or `\"bore \" + str(d)`"),
-            ),
             Token::StarStar if previous == Previous::Operand => {
                 Some(Fault::new("there is no operator '**'").hint("write `x * x`, or `pow(x, y)`"))
             }
@@ -70,12 +69,10 @@ pub(crate) fn scan(source: &str, dialect: &Dialect, limits: &Limits) -> Vec<Faul
                         .hint(format!("write `x = x {operator} y`")),
                 )
             }
-            Token::Identifier(name) if name.starts_with(RESERVED_PREFIX) => Some(Fault::new(
-                format!("names do not begin with '{RESERVED_PREFIX}'"),
-            )),
             Token::Identifier(name) if previous == Previous::Dot => method(name),
             _ => None,
         };
+        let fault = fault.or_else(|| compared.step(&token));
         faults.extend(fault.map(|f| f.line(line(begin))));
         if faults.len() >= MOST_FAULTS {
             break;
@@ -93,6 +90,32 @@ pub(crate) fn scan(source: &str, dialect: &Dialect, limits: &Limits) -> Vec<Faul
         };
     }
     faults
+}
+
+/// The end of every bracket's `)` and the line of its `(`: where a call ends and where its name stands.
+pub(crate) fn calls(source: &str, dialect: &Dialect) -> BTreeMap<u32, u32> {
+    let codemap = CodeMap::new(String::new(), source.to_owned());
+    let (mut open, mut found) = (Vec::new(), BTreeMap::new());
+    let (mut line, mut counted) = (1, 0);
+    for (begin, token, end) in
+        Lexer::new(codemap.source(), dialect, codemap.clone()).map_while(Result::ok)
+    {
+        match token {
+            Token::OpeningRound => {
+                let before = source.as_bytes().get(counted..begin).unwrap_or_default();
+                line += before.iter().filter(|b| **b == b'\n').count();
+                counted = begin;
+                open.push(u32::try_from(line).unwrap_or(u32::MAX));
+            }
+            Token::ClosingRound => {
+                if let (Some(line), Ok(end)) = (open.pop(), u32::try_from(end)) {
+                    found.insert(end, line);
+                }
+            }
+            _ => {}
+        }
+    }
+    found
 }
 
 /// More faults than these are of one kind.
@@ -151,6 +174,58 @@ impl Depth {
     }
 }
 
+/// Whether a comparison stands before, in the same bracket and the same operand of `and` and `or`.
+#[derive(Default)]
+struct Compared {
+    outer: bool,
+    open: Vec<bool>,
+}
+
+impl Compared {
+    fn step(&mut self, token: &Token) -> Option<Fault> {
+        match token {
+            Token::LessThan
+            | Token::LessEqual
+            | Token::GreaterThan
+            | Token::GreaterEqual
+            | Token::EqualEqual
+            | Token::BangEqual => {
+                if core::mem::replace(self.here(), true) {
+                    return Some(
+                        Fault::new("there are no chained comparisons")
+                            .hint("write `0 < x and x < 5` for `0 < x < 5`"),
+                    );
+                }
+            }
+            Token::OpeningRound | Token::OpeningSquare | Token::OpeningCurly => {
+                self.open.push(false);
+            }
+            Token::ClosingRound | Token::ClosingSquare | Token::ClosingCurly => {
+                self.open.pop();
+            }
+            Token::And
+            | Token::Or
+            | Token::Not
+            | Token::If
+            | Token::Else
+            | Token::For
+            | Token::Lambda
+            | Token::Return
+            | Token::Comma
+            | Token::Colon
+            | Token::Equal
+            | Token::Semicolon
+            | Token::Newline => *self.here() = false,
+            _ => {}
+        }
+        None
+    }
+
+    fn here(&mut self) -> &mut bool {
+        self.open.last_mut().unwrap_or(&mut self.outer)
+    }
+}
+
 fn too_deep(limits: &Limits) -> Fault {
     Fault::new(format!(
         "the source is nested more than {} deep (limit nesting)",
@@ -185,7 +260,7 @@ fn reserved(word: &str) -> Fault {
         "raise" => "write `fail(message)`",
         "assert" => "write `require(condition, message)`",
         "class" => "there are no classes: write functions, and `dict(a = 1)` for records",
-        "import" | "from" => "nothing can be imported: math and all shapes are there already",
+        "import" | "from" => "cadquery and math are there already; nothing else can be imported",
         "is" => "write `==`, for example `x == None`",
         "del" => "write `items.pop(index)`",
         "with" => "there is nothing to open or close: write the block without it",
@@ -203,7 +278,9 @@ pub(crate) fn name_hint(name: &str) -> Option<&'static str> {
         "map" | "filter" => "write `[f(x) for x in items]`, with `if` to choose",
         "set" | "frozenset" => "write a dict with the members as keys",
         "open" | "input" | "exec" | "eval" | "compile" => "a script reaches nothing outside itself",
-        "divmod" => "write `x // y` and `x % y`",
+        "Workplane" | "Vector" | "Plane" | "Location" | "Solid" | "Edge" | "Wire" | "Compound" => {
+            "it is behind cq: write cq.Workplane(\"XY\") and so on, or `from cadquery import Workplane`"
+        }
         "pi" | "sin" | "cos" | "tan" | "sqrt" | "atan2" | "radians" | "degrees" | "floor"
         | "ceil" => "it is in math: write math.pi, math.sin(x) and so on",
         "Exception" | "ValueError" | "TypeError" | "RuntimeError" => "write `fail(message)`",
@@ -211,7 +288,8 @@ pub(crate) fn name_hint(name: &str) -> Option<&'static str> {
         "false" => "write `False`",
         "null" | "none" => "write `None`",
         "self" => "there are no classes: write functions",
-        "np" | "numpy" | "cq" | "cadquery" => "nothing can be imported",
+        "np" | "numpy" => "write lists, `for`, and math.sin(x) and so on",
+        "exporters" | "importers" => "a script reads and writes no files",
         "format" => "write `\"bore %s leaves no wall\" % d`",
         _ => return None,
     })

@@ -5,42 +5,61 @@ use starlark::values::list_or_tuple::UnpackListOrTuple;
 use starlark::values::{UnpackValue, Value};
 
 use crate::fault::Fault;
+use crate::values::Vector;
 
 /// A finite real number.
 pub(crate) fn number(value: Value<'_>, what: &str) -> Result<f64, Fault> {
     match UnpackFloat::unpack_value(value) {
-        Ok(Some(UnpackFloat(n))) if n.is_finite() => Ok(n),
+        // Adding 0.0 turns -0.0 into 0.0, which would otherwise print differently.
+        Ok(Some(UnpackFloat(n))) if n.is_finite() => Ok(n + 0.0),
         Ok(Some(_)) => Err(Fault::new(format!("{what} is not finite"))),
         _ => Err(Fault::new(format!(
-            "{what} is a number, not a {}",
-            value.get_type()
+            "{what} is a number, not {}",
+            kind_of(value)
         ))),
     }
 }
 
-/// A finite number over 0.
-pub(crate) fn positive(value: Value<'_>, what: &str) -> Result<f64, Fault> {
-    let n = number(value, what)?;
-    if n > 0.0 {
-        Ok(n)
-    } else {
-        Err(Fault::new(format!("{what} is over 0, not {n}")))
+/// A whole number.
+pub(crate) fn whole(value: Value<'_>, what: &str) -> Result<i32, Fault> {
+    if let Some(n) = value.unpack_i32().filter(|_| value.get_type() == "int") {
+        return Ok(n);
     }
+    let fault = Fault::new(format!("{what} is a whole number, not {}", kind_of(value)));
+    Err(if value.get_type() == "float" {
+        fault.hint("write int(x), or x // y instead of x / y")
+    } else {
+        fault
+    })
 }
 
-/// `N` finite numbers in a list or tuple.
-pub(crate) fn vector<const N: usize>(value: Value<'_>, what: &str) -> Result<[f64; N], Fault> {
+/// A point or direction: a `Vector`, or two or three numbers.
+pub(crate) fn vector(value: Value<'_>, what: &str) -> Result<[f64; 3], Fault> {
+    if let Some(vector) = Vector::from_value(value) {
+        return Ok(vector.at);
+    }
     let wrong = || {
-        let example = if N == 2 { "(10, 0)" } else { "(10, 0, 5)" };
-        Fault::new(format!("{what} is a tuple of {N} numbers"))
-            .hint(format!("write for example {example}"))
+        Fault::new(format!(
+            "{what} is a tuple of 2 or 3 numbers, not {}",
+            kind_of(value)
+        ))
+        .hint("write for example (10, 0) or (10, 0, 5)")
     };
     let items = items(value).ok_or_else(wrong)?;
     let numbers: Vec<f64> = items
-        .into_iter()
-        .map(|v| number(v, what))
+        .iter()
+        .take(4)
+        .map(|v| number(*v, what))
         .collect::<Result<_, _>>()?;
-    numbers.try_into().map_err(|_| wrong())
+    match *numbers.as_slice() {
+        [x, y] => Ok([x, y, 0.0]),
+        [x, y, z] => Ok([x, y, z]),
+        _ => Err(Fault::new(format!(
+            "{what} is a tuple of 2 or 3 numbers, not of {}",
+            items.len()
+        ))
+        .hint("write for example (10, 0) or (10, 0, 5)")),
+    }
 }
 
 /// The members of a list or tuple.
@@ -49,4 +68,13 @@ pub(crate) fn items(value: Value<'_>) -> Option<Vec<Value<'_>>> {
         .ok()
         .flatten()
         .map(|list| list.items)
+}
+
+/// What a value is, with its article.
+pub(crate) fn kind_of(value: Value<'_>) -> String {
+    match value.get_type() {
+        "NoneType" => "None".to_owned(),
+        "int" => "an int".to_owned(),
+        kind => format!("a {kind}"),
+    }
 }

@@ -18,6 +18,7 @@ use starlark::values::{UnpackValue, Value};
 use super::session::Session;
 use crate::fault::{Fault, too_much_memory};
 use crate::limits::Limits;
+use crate::values::native;
 
 /// Operators and the functions that take their places; the names are out of a script's reach.
 pub(crate) fn operators() -> HashMap<String, String> {
@@ -228,8 +229,4 @@ pub(crate) fn functions(builder: &mut GlobalsBuilder) {
             )))),
         }
     }
-}
-
-fn native(fault: Fault) -> starlark::Error {
-    starlark::Error::new_native(anyhow::Error::new(fault))
 }

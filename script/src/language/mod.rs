@@ -4,14 +4,18 @@ use std::sync::LazyLock;
 
 use starlark::environment::{Globals, GlobalsBuilder};
 
+use crate::values::Item;
+
 mod arg;
+pub(crate) mod bind;
+pub(crate) mod call;
+mod convert;
+pub(crate) mod cq;
 mod declare;
-mod gears;
 pub(crate) mod guard;
 mod math;
-mod profiles;
+mod ports;
 pub(crate) mod session;
-mod shapes;
 mod text;
 
 pub(crate) use arg::*;
@@ -22,11 +26,13 @@ static GLOBALS: LazyLock<Globals> = LazyLock::new(|| {
         .with(guard::functions)
         .with(text::functions)
         .with(declare::functions)
-        .with(profiles::functions)
-        .with(gears::functions)
-        .with(shapes::functions)
         .with(math::functions)
-        .with(|builder| builder.namespace("math", math::namespace))
+        .with(|builder| {
+            builder.namespace("math", math::namespace);
+            for name in ["cq", "cadquery"] {
+                builder.set(name, Item { path: "" });
+            }
+        })
         .build()
 });
 
@@ -42,4 +48,15 @@ pub(crate) fn names() -> Vec<&'static str> {
         .map(|n| n.as_str())
         .filter(|n| !n.starts_with(crate::scan::RESERVED_PREFIX))
         .collect()
+}
+
+/// The names behind `math.`, sorted.
+pub(crate) fn math_names() -> Vec<&'static str> {
+    static NAMES: LazyLock<Vec<String>> = LazyLock::new(|| {
+        let math = GlobalsBuilder::new().with(math::namespace).build();
+        let mut names: Vec<String> = math.names().map(|n| n.as_str().to_owned()).collect();
+        names.sort();
+        names
+    });
+    NAMES.iter().map(String::as_str).collect()
 }

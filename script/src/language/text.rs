@@ -1,6 +1,8 @@
 //! Texts of guarded length, and the two ways to refuse parameters.
 #![allow(missing_docs, reason = "the macro makes public items of the functions")]
 
+use assemcad_model::language::Type;
+use assemcad_model::param::clip;
 use starlark::environment::GlobalsBuilder;
 use starlark::eval::Evaluator;
 use starlark::starlark_module;
@@ -38,6 +40,42 @@ fn message_of<'v>(parts: &[Value<'v>], eval: &Evaluator<'v, '_, '_>) -> Result<S
         message.push_str(&part.to_str());
     }
     Ok(message)
+}
+
+/// A value by the form that an f-string states: `!r`, `!s`, `:.2f`, `:d`, `:03d`, `:>8`, `:g` and so on
+/// are Python's; of them only those that write numbers for people.
+fn formed(x: Value<'_>, form: &str) -> Result<String, Fault> {
+    let unknown = || {
+        Fault::new(format!("the form '{}' has no meaning here", clip(form)))
+            .hint("write {x}, {x!r}, {x:.2f}, {x:d} or {x:03d}")
+    };
+    let number = || super::number(x, "what is written with a form");
+    match form {
+        "" | "!s" | ":" | ":s" => return Ok(x.to_str()),
+        "!r" => return Ok(x.to_repr()),
+        _ => {}
+    }
+    let form = form.strip_prefix(':').ok_or_else(unknown)?;
+    if let Some(width) = form.strip_suffix('d') {
+        let n = super::whole(x, "what is written with the form d")?;
+        let wide: usize = if width.is_empty() {
+            0
+        } else {
+            width.parse().ok().filter(|w| *w < 100).ok_or_else(unknown)?
+        };
+        return Ok(if width.starts_with('0') {
+            format!("{n:0wide$}")
+        } else {
+            format!("{n:wide$}")
+        });
+    }
+    let digits = form
+        .strip_suffix('f')
+        .and_then(|f| f.strip_prefix('.'))
+        .and_then(|d| d.parse::<usize>().ok())
+        .filter(|d| *d <= 20)
+        .ok_or_else(unknown)?;
+    Ok(format!("{:.digits$}", number()?))
 }
 
 #[starlark_module]
@@ -100,6 +138,63 @@ pub(crate) fn functions(builder: &mut GlobalsBuilder) {
         let added = text.matches(old).count().saturating_mul(new.len());
         check_text(text.len().saturating_add(added), &Session::of(eval)?.limits)?;
         Ok(text.replace(old, new))
+    }
+
+    /// What an f-string is rewritten to: its pieces in one.
+    fn __text<'v>(
+        #[starlark(args)] pieces: starlark::values::tuple::UnpackTuple<Value<'v>>,
+        eval: &mut Evaluator<'v, '_, '_>,
+    ) -> anyhow::Result<String> {
+        let limits = &Session::of(eval)?.limits;
+        let mut text = String::new();
+        for piece in pieces.items {
+            text.push_str(piece.unpack_str().unwrap_or_default());
+            check_text(text.len(), limits)?;
+        }
+        Ok(text)
+    }
+
+    /// A value within an f-string, with what stands behind its `!` or `:`.
+    fn __piece<'v>(
+        #[starlark(require = pos)] x: Value<'v>,
+        #[starlark(require = pos)] form: &str,
+        eval: &mut Evaluator<'v, '_, '_>,
+    ) -> anyhow::Result<String> {
+        written_length(x, &Session::of(eval)?.limits)?;
+        Ok(formed(x, form)?)
+    }
+
+    /// `show_object(x)`: what a plain script gives where it leaves no `result`.
+    fn show_object<'v>(
+        #[starlark(require = pos)] x: Value<'v>,
+        #[starlark(args)] rest: starlark::values::tuple::UnpackTuple<Value<'v>>,
+        #[starlark(kwargs)] options: Value<'v>,
+        eval: &mut Evaluator<'v, '_, '_>,
+    ) -> anyhow::Result<NoneType> {
+        let _ = (rest, options);
+        let session = Session::of(eval)?;
+        match crate::values::handle(x) {
+            Some(part) if matches!(part.kind, Type::Workplane | Type::Shape) => {
+                if session.shown.get().is_none() {
+                    session.shown.set(Some(part.node.index));
+                }
+                Ok(NoneType)
+            }
+            _ => Fault::new(format!(
+                "show_object takes a workplane, not {}",
+                super::kind_of(x)
+            ))
+            .raise(),
+        }
+    }
+
+    /// `debug(x)` goes nowhere.
+    fn debug<'v>(
+        #[starlark(args)] parts: starlark::values::tuple::UnpackTuple<Value<'v>>,
+        #[starlark(kwargs)] options: Value<'v>,
+    ) -> anyhow::Result<NoneType> {
+        let _ = (parts, options);
+        Ok(NoneType)
     }
 
     /// `print(x)` goes nowhere, and does not even write x as a text.

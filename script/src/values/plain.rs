@@ -1,9 +1,8 @@
-//! Frames, outlines, profiles and choices of edges: what the model knows, as values of the language.
+//! Selectors, outlines, and the names behind `cq.`, as values.
 #![allow(
     clippy::panic,
     reason = "derive(StarlarkPagablePanic); nothing here is ever paged out"
 )]
-#![allow(missing_docs, reason = "the macros make public items of the values")]
 #![allow(
     unsafe_code,
     reason = "derive(ProvidesStaticType) implements an unsafe trait; none of ours"
@@ -12,133 +11,184 @@
 use core::fmt;
 
 use allocative::Allocative;
-use assemcad_model::recipe;
-use starlark::environment::{Methods, MethodsBuilder};
+use assemcad_model::{language, selector};
+use starlark::eval::{Arguments, Evaluator};
+use starlark::starlark_simple_value;
 use starlark::values::{
-    NoSerialize, ProvidesStaticType, StarlarkPagablePanic, StarlarkValue, Value, starlark_value,
+    Heap, NoSerialize, ProvidesStaticType, StarlarkPagablePanic, StarlarkValue, Value,
+    starlark_value,
 };
-use starlark::{starlark_module, starlark_simple_value};
 
-use crate::language::number;
+use super::native;
+use crate::fault::Fault;
+use crate::language::{cq, kind_of};
 
-/// A frame.
+/// Longest text of a selector.
+const LONGEST_SELECTOR: usize = 1000;
+
+/// Deepest nesting of a selector: readers walk it by recursion.
+const DEEPEST_SELECTOR: usize = 32;
+
+/// A choice among faces, edges and so on.
 #[derive(Debug, Clone, ProvidesStaticType, NoSerialize, Allocative, StarlarkPagablePanic)]
-pub(crate) struct Frame {
+pub(crate) struct Selector {
     #[allocative(skip)]
-    pub(crate) frame: assemcad_model::frame::Frame,
+    pub(crate) selector: selector::Selector,
+    depth: usize,
 }
-starlark_simple_value!(Frame);
-starlark::methods_static!(FRAME_METHODS = frame_methods);
+starlark_simple_value!(Selector);
 
-#[starlark_value(type = "Frame")]
-impl<'v> StarlarkValue<'v> for Frame {
-    fn get_methods() -> Option<&'static Methods> {
-        Some(FRAME_METHODS.methods())
+impl Selector {
+    pub(crate) fn new(selector: selector::Selector) -> Self {
+        Self { selector, depth: 1 }
     }
-}
 
-#[starlark_module]
-fn frame_methods(builder: &mut MethodsBuilder) {
-    /// The origin in mm.
-    #[starlark(attribute)]
-    fn origin(this: &Frame) -> anyhow::Result<(f64, f64, f64)> {
-        Ok(this.frame.origin.into())
-    }
-    /// The x direction.
-    #[starlark(attribute)]
-    fn x(this: &Frame) -> anyhow::Result<(f64, f64, f64)> {
-        Ok(this.frame.x.into())
-    }
-    /// The z direction.
-    #[starlark(attribute)]
-    fn z(this: &Frame) -> anyhow::Result<(f64, f64, f64)> {
-        Ok(this.frame.z.into())
-    }
-    /// `shifted(x, y, z)`: the frame moved along its own axes.
-    fn shifted<'v>(
-        this: &Frame,
-        x: Value<'v>,
-        y: Value<'v>,
-        z: Value<'v>,
-    ) -> anyhow::Result<Frame> {
-        let by = [number(x, "x")?, number(y, "y")?, number(z, "z")?];
-        Ok(Frame {
-            frame: shift(&this.frame, by)?,
-        })
-    }
-}
-
-/// A frame moved along its own axes.
-pub(crate) fn shift(
-    frame: &assemcad_model::frame::Frame,
-    by: [f64; 3],
-) -> Result<assemcad_model::frame::Frame, crate::fault::Fault> {
-    let placement = frame
-        .placement()
-        .map_err(|e| crate::fault::Fault::new(e.to_string()))?;
-    Ok(assemcad_model::frame::Frame {
-        origin: placement.point(by),
-        ..*frame
-    })
-}
-
-macro_rules! plain {
-    ($(#[$doc:meta])* $name:ident, $type:literal, $field:ident: $inner:ty) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, ProvidesStaticType, NoSerialize, Allocative, StarlarkPagablePanic)]
-        pub(crate) struct $name {
-            #[allocative(skip)]
-            pub(crate) $field: $inner,
+    /// Reads the text form.
+    pub(crate) fn parse(text: &str) -> Result<Self, Fault> {
+        if text.len() > LONGEST_SELECTOR {
+            return Err(Fault::new(format!(
+                "a selector has at most {LONGEST_SELECTOR} characters"
+            )));
         }
-        starlark_simple_value!($name);
-        #[starlark_value(type = $type)]
-        impl<'v> StarlarkValue<'v> for $name {}
-        impl fmt::Display for $name {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str(concat!("<", $type, ">"))
+        let selector = selector::Selector::parse(text).map_err(Fault::new)?;
+        let depth = depth(&selector);
+        Self { selector, depth }.checked()
+    }
+
+    /// Two selectors joined.
+    fn joined(&self, other: Value<'_>, how: Join) -> Result<Self, Fault> {
+        let other = match (Self::from_value(other), other.unpack_str()) {
+            (Some(selector), _) => selector.clone(),
+            (None, Some(text)) => Self::parse(text)?,
+            _ => {
+                return Err(Fault::new(format!(
+                    "a selector is joined to a selector, not to {}",
+                    kind_of(other)
+                )));
             }
+        };
+        let depth = self.depth.max(other.depth) + 1;
+        if depth > DEEPEST_SELECTOR {
+            return Err(Self::too_deep());
         }
-    };
-}
+        let selector = how(
+            Box::new(self.selector.clone()),
+            Box::new(other.selector.clone()),
+        );
+        Ok(Self { selector, depth })
+    }
 
-plain!(
-    /// A closed outline in a plane.
-    Outline, "Outline", outline: recipe::Outline
-);
-plain!(
-    /// A piece of a path.
-    Segment, "Segment", segment: recipe::Segment
-);
-plain!(
-    /// A plane region.
-    Profile, "Profile", profile: recipe::Profile
-);
-plain!(
-    /// A choice of edges.
-    Edges, "Edges", edges: recipe::EdgeSelector
-);
+    fn checked(self) -> Result<Self, Fault> {
+        if self.depth > DEEPEST_SELECTOR {
+            Err(Self::too_deep())
+        } else {
+            Ok(self)
+        }
+    }
 
-impl fmt::Display for Frame {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let show = |[x, y, z]: [f64; 3]| format!("({x}, {y}, {z})");
-        let (origin, z, x) = (self.frame.origin, self.frame.z, self.frame.x);
-        write!(
-            f,
-            "frame(origin = {}, z = {}, x = {})",
-            show(origin),
-            show(z),
-            show(x)
-        )
+    fn too_deep() -> Fault {
+        Fault::new(format!(
+            "a selector joins others at most {DEEPEST_SELECTOR} deep"
+        ))
+        .hint("select in steps: .faces(\"|Z\").faces(\">Z\"), or add(...) what several select")
     }
 }
 
-/// How many pieces a profile holds.
-pub(crate) fn pieces(profile: &recipe::Profile) -> usize {
-    core::iter::once(&profile.outer)
-        .chain(&profile.holes)
-        .map(|outline| match outline {
-            recipe::Outline::Circle { .. } => 1,
-            recipe::Outline::Path { segments, .. } => segments.len() + 1,
-        })
-        .sum()
+type Join = fn(Box<selector::Selector>, Box<selector::Selector>) -> selector::Selector;
+
+fn depth(of: &selector::Selector) -> usize {
+    use selector::Selector::{And, Except, Not, Or};
+    match of {
+        And(a, b) | Or(a, b) | Except(a, b) => 1 + depth(a).max(depth(b)),
+        Not(a) => 1 + depth(a),
+        _ => 1,
+    }
+}
+
+impl fmt::Display for Selector {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("<Selector>")
+    }
+}
+
+#[starlark_value(type = "Selector")]
+impl<'v> StarlarkValue<'v> for Selector {
+    fn add(&self, other: Value<'v>, heap: Heap<'v>) -> Option<starlark::Result<Value<'v>>> {
+        Some(join(self, other, selector::Selector::Or, heap))
+    }
+    fn sub(&self, other: Value<'v>, heap: Heap<'v>) -> starlark::Result<Value<'v>> {
+        join(self, other, selector::Selector::Except, heap)
+    }
+    fn mul(&self, other: Value<'v>, heap: Heap<'v>) -> Option<starlark::Result<Value<'v>>> {
+        Some(join(self, other, selector::Selector::And, heap))
+    }
+    fn bit_and(&self, other: Value<'v>, heap: Heap<'v>) -> starlark::Result<Value<'v>> {
+        join(self, other, selector::Selector::And, heap)
+    }
+    fn minus(&self, heap: Heap<'v>) -> starlark::Result<Value<'v>> {
+        let negated = Self {
+            selector: selector::Selector::Not(Box::new(self.selector.clone())),
+            depth: self.depth + 1,
+        };
+        negated.checked().map(|s| heap.alloc(s)).map_err(native)
+    }
+}
+
+fn join<'v>(
+    a: &Selector,
+    b: Value<'v>,
+    how: Join,
+    heap: Heap<'v>,
+) -> starlark::Result<Value<'v>> {
+    a.joined(b, how).map(|s| heap.alloc(s)).map_err(native)
+}
+
+/// A closed outline in a plane.
+#[derive(Debug, Clone, ProvidesStaticType, NoSerialize, Allocative, StarlarkPagablePanic)]
+pub(crate) struct Outline {
+    #[allocative(skip)]
+    pub(crate) outline: language::Outline,
+}
+starlark_simple_value!(Outline);
+
+impl fmt::Display for Outline {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("<Outline>")
+    }
+}
+
+#[starlark_value(type = "Outline")]
+impl<'v> StarlarkValue<'v> for Outline {}
+
+/// `cq` and what is behind its points, where it is no function of the table.
+#[derive(Debug, Clone, ProvidesStaticType, NoSerialize, Allocative, StarlarkPagablePanic)]
+pub(crate) struct Item {
+    /// What was written after `cq.`; empty for `cq` itself.
+    #[allocative(skip)]
+    pub(crate) path: &'static str,
+}
+starlark_simple_value!(Item);
+
+impl fmt::Display for Item {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "<cq.{}>", self.path)
+    }
+}
+
+#[starlark_value(type = "cq")]
+impl<'v> StarlarkValue<'v> for Item {
+    fn get_attr(&self, name: &str, heap: Heap<'v>) -> Option<Value<'v>> {
+        cq::attribute(self.path, name, heap)
+    }
+    fn dir_attr(&self) -> Vec<String> {
+        cq::members(self.path).map(str::to_owned).collect()
+    }
+    fn invoke(
+        &self,
+        _me: Value<'v>,
+        args: &Arguments<'v, '_>,
+        eval: &mut Evaluator<'v, '_, '_>,
+    ) -> starlark::Result<Value<'v>> {
+        cq::invoke(self.path, args, eval)
+    }
 }

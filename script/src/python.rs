@@ -1,0 +1,358 @@
+//! What of Python a source may hold although Starlark lacks it: imports of what is there already, and
+//! f-strings. Both are rewritten before the parser sees them, on the lines on which they stand.
+
+use core::fmt::Write as _;
+
+use starlark::codemap::CodeMap;
+use starlark::syntax::Dialect;
+use starlark_syntax::lexer::{Lexer, Token};
+
+use crate::fault::Fault;
+use crate::language::cq;
+use crate::scan::RESERVED_PREFIX;
+
+/// A stretch of the source and what takes its place.
+struct Edit {
+    from: usize,
+    to: usize,
+    text: String,
+}
+
+/// The source with imports and f-strings written out.
+pub(crate) fn rewrite(source: &str, dialect: &Dialect) -> Result<String, Vec<Fault>> {
+    let (edits, faults) = edits(source, dialect);
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let mut text = String::new();
+    let mut at = 0;
+    for edit in edits {
+        let kept = source.get(at..edit.from).unwrap_or_default();
+        text.push_str(kept);
+        text.push_str(&edit.text);
+        // Lines stay where they are.
+        let cut = source.get(edit.from..edit.to).unwrap_or_default();
+        text.extend(cut.chars().filter(|c| *c == '\n'));
+        at = edit.to;
+    }
+    text.push_str(source.get(at..).unwrap_or_default());
+    Ok(text)
+}
+
+/// An f-string that is open.
+struct Open {
+    /// Brackets open in the expression.
+    brackets: usize,
+    /// Where the text after the expression's `!` or `:` begins.
+    form: Option<usize>,
+    lambdas: usize,
+}
+
+fn edits(source: &str, dialect: &Dialect) -> (Vec<Edit>, Vec<Fault>) {
+    let codemap = CodeMap::new(String::new(), source.to_owned());
+    let line = |at: usize| {
+        let before = source.as_bytes().iter().take(at);
+        u32::try_from(before.filter(|b| **b == b'\n').count() + 1).unwrap_or(u32::MAX)
+    };
+    let (mut edits, mut faults): (Vec<Edit>, Vec<Fault>) = (Vec::new(), Vec::new());
+    let mut open: Vec<Open> = Vec::new();
+    let (mut begins, mut past) = (true, 0);
+    for lexeme in Lexer::new(codemap.source(), dialect, codemap.clone()) {
+        let (from, token, to) = match lexeme {
+            Ok(lexeme) => lexeme,
+            Err(error) => {
+                let error = error.into_error();
+                let word = error.span().map(|span| {
+                    let (from, to) = (span.span.begin(), span.span.end());
+                    (from.get() as usize, to.get() as usize)
+                });
+                let Some((from, to)) = word else { break };
+                let is_import = matches!(source.get(from..to), Some("import" | "from"));
+                if is_import && begins && from >= past {
+                    let end = end_of_import(source, from);
+                    match import(source.get(from..end).unwrap_or_default()) {
+                        Ok(text) => edits.push(Edit { from, to: end, text }),
+                        Err(fault) => faults.push(fault.line(line(from))),
+                    }
+                    past = end;
+                }
+                begins = false;
+                continue;
+            }
+        };
+        if from < past {
+            continue;
+        }
+        begins = matches!(
+            token,
+            Token::Newline | Token::Indent | Token::Dedent | Token::Semicolon | Token::Colon
+        ) || (begins && matches!(token, Token::Comment(_)));
+        if let Token::Identifier(name) = &token
+            && name.starts_with(RESERVED_PREFIX)
+        {
+            let fault = Fault::new(format!("names do not begin with '{RESERVED_PREFIX}'"));
+            faults.push(
+                if name == "__name__" {
+                    fault.hint("leave the condition out: write its lines at the top level")
+                } else {
+                    fault
+                }
+                .line(line(from)),
+            );
+        }
+        fstring(source, from, &token, to, &mut open, &mut edits);
+        if faults.len() >= 20 {
+            break;
+        }
+    }
+    (edits, faults)
+}
+
+/// An f-string becomes `__text(piece, piece)`, whose pieces are `"text", ` and `__piece((x), "form"), `.
+fn fstring(
+    source: &str,
+    from: usize,
+    token: &Token,
+    to: usize,
+    open: &mut Vec<Open>,
+    edits: &mut Vec<Edit>,
+) {
+    let mut edit = |from: usize, text: String| {
+        // What stands in a form was read as tokens too.
+        edits.retain(|e: &Edit| e.from < from);
+        edits.push(Edit { from, to, text });
+    };
+    match token {
+        Token::FStringStart(_) => {
+            open.push(Open {
+                brackets: 0,
+                form: None,
+                lambdas: 0,
+            });
+            edit(from, "__text(".to_owned());
+        }
+        Token::FStringText(text) if from < to => {
+            let text: &str = text;
+            edit(from, format!("{}, ", literal(text)));
+        }
+        Token::FStringExprStart => edit(from, "__piece((".to_owned()),
+        Token::FStringExprEnd => {
+            if let Some(state) = open.last_mut() {
+                let form = state.form.take();
+                let text = form.and_then(|at| source.get(at..from)).unwrap_or_default();
+                edit(form.unwrap_or(from), format!("), {}), ", literal(text)));
+            }
+        }
+        Token::FStringEnd => {
+            open.pop();
+            edit(from, ")".to_owned());
+        }
+        _ => {
+            if let Some(state) = open.last_mut() {
+                match token {
+                    Token::OpeningRound | Token::OpeningSquare | Token::OpeningCurly => {
+                        state.brackets += 1;
+                    }
+                    Token::ClosingRound | Token::ClosingSquare | Token::ClosingCurly => {
+                        state.brackets = state.brackets.saturating_sub(1);
+                    }
+                    Token::Lambda => state.lambdas += 1,
+                    Token::Colon if state.brackets == 0 && state.lambdas > 0 => state.lambdas -= 1,
+                    Token::Colon | Token::FStringBang if state.brackets == 0 => {
+                        state.form.get_or_insert(from);
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+}
+
+/// A text as a source writes it, on one line.
+fn literal(text: &str) -> String {
+    let mut written = String::from("\"");
+    for c in text.chars() {
+        match c {
+            '"' => written.push_str("\\\""),
+            '\\' => written.push_str("\\\\"),
+            '\n' => written.push_str("\\n"),
+            '\r' => written.push_str("\\r"),
+            '\t' => written.push_str("\\t"),
+            c if c.is_control() => {
+                let _ = write!(written, "\\U{:08x}", u32::from(c));
+            }
+            c => written.push(c),
+        }
+    }
+    written.push('"');
+    written
+}
+
+/// Where an import ends: at the end of its line, or behind the bracket that it opens.
+fn end_of_import(source: &str, from: usize) -> usize {
+    let rest = source.get(from..).unwrap_or_default();
+    let line = rest.find(['\n', ';', '#']).unwrap_or(rest.len());
+    let first = rest.get(..line).unwrap_or_default();
+    let length = match (first.contains('('), rest.find(')')) {
+        (true, Some(end)) => end + 1,
+        _ => line,
+    };
+    from + length
+}
+
+/// What an import does here: it binds names that are there already, or nothing.
+fn import(text: &str) -> Result<String, Fault> {
+    // Comments stand within brackets.
+    let plain: String = text
+        .lines()
+        .map(|line| line.split('#').next().unwrap_or_default())
+        .collect::<Vec<_>>()
+        .join(" ")
+        .replace(['(', ')', '\\'], " ");
+    let mut bound = Vec::new();
+    if let Some(rest) = plain.trim().strip_prefix("from ") {
+        let (module, names) = rest
+            .split_once(" import ")
+            .ok_or_else(|| Fault::new("this import names nothing"))?;
+        let module = module.trim();
+        if module == "__future__" {
+            return Ok("pass".to_owned());
+        }
+        let base = base(module)?;
+        for (name, alias) in names.split(',').filter_map(pair) {
+            if name == "*" {
+                let all = members(base).into_iter();
+                bound.extend(all.map(|name| format!("{name} = {base}.{name}")));
+                continue;
+            }
+            if !members(base).contains(&name) {
+                return Err(Fault::new(format!("{module} has no '{name}' here"))
+                    .hint(format!("there are: {}", members(base).join(", "))));
+            }
+            bound.push(format!("{} = {base}.{name}", alias_of(alias.unwrap_or(name))?));
+        }
+    } else {
+        let names = plain.trim().trim_start_matches("import");
+        for (name, alias) in names.split(',').filter_map(pair) {
+            let base = base(name)?;
+            match alias {
+                Some(alias) if alias != base => bound.push(format!("{} = {base}", alias_of(alias)?)),
+                _ => {}
+            }
+        }
+    }
+    Ok(if bound.is_empty() {
+        "pass".to_owned()
+    } else {
+        bound.join("; ")
+    })
+}
+
+fn pair(text: &str) -> Option<(&str, Option<&str>)> {
+    let mut words = text.split_whitespace();
+    let name = words.next()?;
+    match (words.next(), words.next()) {
+        (Some("as"), Some(alias)) => Some((name, Some(alias))),
+        _ => Some((name, None)),
+    }
+}
+
+fn alias_of(alias: &str) -> Result<&str, Fault> {
+    let plain = alias
+        .chars()
+        .all(|c| c.is_ascii_alphanumeric() || c == '_')
+        && !alias.starts_with(|c: char| c.is_ascii_digit())
+        && !alias.starts_with(RESERVED_PREFIX);
+    plain
+        .then_some(alias)
+        .ok_or_else(|| Fault::new("this import gives a name that cannot be one"))
+}
+
+/// What stands for a module.
+fn base(module: &str) -> Result<&'static str, Fault> {
+    let hint = match module {
+        "cadquery" | "cq" | "cadquery.cq" => return Ok("cq"),
+        "cadquery.selectors" => return Ok("cq.selectors"),
+        "cadquery.exporters" => return Ok("cq.exporters"),
+        "math" => return Ok("math"),
+        "typing" => "types may be written and mean nothing: leave the import out",
+        "numpy" | "np" => "write lists, `for`, and math.sin(x) and so on",
+        "random" | "time" | "datetime" => {
+            "the same script gives the same part, always: write the values out"
+        }
+        "os" | "sys" | "pathlib" | "json" | "io" => "a script reaches nothing outside itself",
+        _ => "only cadquery and math can be imported, and both are there already",
+    };
+    let shown = assemcad_model::param::clip(module);
+    Err(Fault::new(format!("there is no module '{shown}'")).hint(hint))
+}
+
+fn members(base: &str) -> Vec<&'static str> {
+    match base.strip_prefix("cq") {
+        Some(path) => cq::members(path.trim_start_matches('.')).collect(),
+        None => crate::language::math_names(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rewrite;
+
+    #[track_caller]
+    fn rewritten(source: &str) -> String {
+        let text = rewrite(source, &crate::run::dialect()).unwrap();
+        assert_eq!(text.lines().count(), source.lines().count(), "{text}");
+        text
+    }
+
+    #[test]
+    fn imports_bind_names_and_keep_lines() {
+        for (source, expected) in [
+            ("import cadquery as cq\nx = 1\n", "pass\nx = 1\n"),
+            ("import cadquery\n", "pass\n"),
+            ("import cadquery as c, math as m\n", "c = cq; m = math\n"),
+            ("import math # why\n", "pass# why\n"),
+            ("from math import sin, pi as p\n", "sin = math.sin; p = math.pi\n"),
+            (
+                "from cadquery import (\n    Workplane,  # w\n    Vector,\n)\n",
+                "Workplane = cq.Workplane; Vector = cq.Vector\n\n\n\n",
+            ),
+            (
+                "from cadquery.selectors import BoxSelector\n",
+                "BoxSelector = cq.selectors.BoxSelector\n",
+            ),
+            ("def f():\n    import math\n    return 1\n", "def f():\n    pass\n    return 1\n"),
+            ("x = \"\"\"\nimport os\n\"\"\"\n", "x = \"\"\"\nimport os\n\"\"\"\n"),
+        ] {
+            assert_eq!(rewritten(source), expected);
+        }
+        assert!(rewritten("from math import *\n").contains("; sqrt = math.sqrt"));
+        for source in ["import os\n", "from cadquery import Assembly\n", "import numpy as np\n"] {
+            assert_eq!(rewrite(source, &crate::run::dialect()).unwrap_err().len(), 1);
+        }
+    }
+
+    #[test]
+    fn f_strings_become_guarded_texts() {
+        for (source, expected) in [
+            (
+                "x = f\"a {b} c\"\n",
+                "x = __text(\"a \", __piece((b), \"\"), \" c\", )\n",
+            ),
+            (
+                "x = f'{a[\"k\"]:.2f}{b!r}'\n",
+                "x = __text(__piece((a[\"k\"]), \":.2f\"), __piece((b), \"!r\"), )\n",
+            ),
+            (
+                "x = f\"{f'{a}'}{{}}\"\n",
+                "x = __text(__piece((__text(__piece((a), \"\"), )), \"\"), \"{}\", )\n",
+            ),
+            (
+                "x = f\"\"\"a\n{b}\n\"\"\"\ny = 1\n",
+                "x = __text(\"a\\n\", \n__piece((b), \"\"), \"\\n\", \n)\ny = 1\n",
+            ),
+        ] {
+            assert_eq!(rewritten(source), expected);
+        }
+    }
+}
