@@ -4,7 +4,6 @@
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <ShapeUpgrade_RemoveLocations.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -210,13 +209,6 @@ SolidPtr shape_mirrored(const Solid& shape, const Vector& point, const Vector& n
     throw Invalid("it could not be mirrored");
   }
   return wrap(maker.Shape());
-}
-
-SolidPtr shape_baked(const Solid& shape) {
-  ShapeUpgrade_RemoveLocations bake;
-  bake.SetRemoveLevel(TopAbs_SHAPE);
-  bake.Remove(shape_of(shape));
-  return wrap(bake.GetResult());
 }
 
 }  // namespace assemcad

@@ -37,8 +37,15 @@ void only_curves(const Bundle& shapes) {
 
 SolidPtr wire_of(const Bundle& edges) {
   only_curves(edges);
+  // The builder takes edges only: of a wire its edges, in its order.
+  std::vector<TopoDS_Shape> loose;
+  for (const TopoDS_Shape& shape : edges.shapes) {
+    const std::vector<TopoDS_Shape> own =
+        shape.ShapeType() == TopAbs_WIRE ? direct(shape) : std::vector<TopoDS_Shape>{shape};
+    loose.insert(loose.end(), own.begin(), own.end());
+  }
   BRepBuilderAPI_MakeWire maker;
-  maker.Add(list_of(edges.shapes));
+  maker.Add(list_of(loose));
   if (!maker.IsDone()) {
     throw Refused("its edges do not follow one another");
   }
@@ -124,10 +131,10 @@ BundlePtr wire_offset(const Solid& wire, double distance, std::uint8_t corner) {
     throw Invalid("nothing comes out at this distance");
   }
   const TopoDS_Shape made = maker.Shape();
-  if (made.IsNull()) {
-    throw Refused("nothing is left of the wire at this distance");
-  }
   BundlePtr out = bundle();
+  if (made.IsNull()) {
+    return out;
+  }
   if (made.ShapeType() == TopAbs_COMPOUND) {
     out->shapes = direct(made);
   } else {

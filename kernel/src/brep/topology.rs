@@ -165,9 +165,7 @@ impl Shape {
     /// # Errors
     /// When the kernel fails.
     pub fn baked(&self) -> Result<Self> {
-        made(bridge::shape_baked(self.solid()?), || {
-            "the shape could not be written anew at its place".into()
-        })
+        self.placed(&Placement::IDENTITY)
     }
 
     /// The mirror image in the plane through `point` across `normal`, a copy of its own.

@@ -125,10 +125,10 @@ impl Shape {
     }
 
     /// The wires beside a flat wire at a distance in mm, outwards where it is positive and the wire
-    /// closed.
+    /// closed: several where a waist closes up, none where nothing is left.
     ///
     /// # Errors
-    /// When the wire does not lie in one plane only, or nothing is left at this distance.
+    /// When the wire does not lie in one plane only.
     pub fn offset_2d(&self, distance: f64, corner: Corner) -> Result<Vec<Self>> {
         length("offset", distance.abs())?;
         unbundle(
