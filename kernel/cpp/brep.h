@@ -39,6 +39,7 @@ bool same_shape(const Solid& a, const Solid& b);
 SolidPtr another_handle(const Solid& shape);
 SolidPtr shape_moved(const Solid& shape, const Pose& pose);
 SolidPtr shape_mirrored(const Solid& shape, const Vector& point, const Vector& normal);
+SolidPtr shape_baked(const Solid& shape);
 
 // look.cpp
 std::uint8_t form_of(const Solid& shape);

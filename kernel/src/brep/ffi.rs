@@ -52,6 +52,7 @@ pub mod bridge {
             point: &[f64; 3],
             normal: &[f64; 3],
         ) -> Result<UniquePtr<Solid>>;
+        fn shape_baked(shape: &Solid) -> Result<UniquePtr<Solid>>;
 
         fn form_of(shape: &Solid) -> Result<u8>;
         fn center_of(shape: &Solid) -> Result<CenterRaw>;

@@ -165,7 +165,9 @@ impl Shape {
     /// # Errors
     /// When the kernel fails.
     pub fn baked(&self) -> Result<Self> {
-        self.placed(&Placement::IDENTITY)
+        made(bridge::shape_baked(self.solid()?), || {
+            "the shape could not be written anew at its place".into()
+        })
     }
 
     /// The mirror image in the plane through `point` across `normal`, a copy of its own.

@@ -221,6 +221,16 @@ fn what_is_moved_shares_its_geometry_and_what_is_baked_has_no_location() {
     sound(&baked);
     near(volume(&baked), 6.0, 1e-12);
     near3(baked.center().unwrap(), there.point([0.5, 1.0, 1.5]), 1e-12);
+    // And within groups that were moved themselves.
+    let round = Shape::torus(&WORLD, 5.0, 1.0).unwrap();
+    let inner = Shape::compound(&[&moved, &round]).unwrap();
+    let outer = Shape::compound(&[&inner.moved(&there).unwrap(), &round]).unwrap();
+    let plain = outer.moved(&there).unwrap().baked().unwrap();
+    assert!(!plain.has_locations().unwrap() && plain.is_valid().unwrap());
+    near(volume(&plain), 6.0 + 2.0 * 10.0 * PI * PI, 1e-9);
+    let first = &plain.parts(Topology::Solid).unwrap()[0];
+    let there3 = there.then_inner(&there.then_inner(&there));
+    near3(first.center().unwrap(), there3.point([0.5, 1.0, 1.5]), 1e-9);
 }
 
 #[test]
