@@ -111,8 +111,12 @@ SolidPtr hollow(const Solid& solid, const Bundle& open, double thickness, std::u
   }
   if (!open.shapes.empty()) {
     const double left = volume_of(maker.Shape());
-    // Walls that are thicker than the solid leave it as it was, or inside-out.
-    if (thickness < 0.0 && !(left > 0.0 && left < volume_of(shape) * (1.0 - 1e-9))) {
+    // Walls that are thicker than the solid leave it as it was, or inside-out; so does a solid of
+    // which every face is open.
+    if (!(left > 0.0)) {
+      throw Invalid("there are no walls");
+    }
+    if (thickness < 0.0 && left >= volume_of(shape) * (1.0 - 1e-9)) {
       throw Invalid("the walls fill the solid");
     }
     return wrap(maker.Shape());

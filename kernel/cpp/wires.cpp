@@ -12,7 +12,9 @@
 #include <Geom_CylindricalSurface.hxx>
 #include <ShapeAnalysis_FreeBounds.hxx>
 #include <TopTools_HSequenceOfShape.hxx>
+#include <Precision.hxx>
 #include <TopoDS.hxx>
+#include <gp_Circ.hxx>
 
 #include <cmath>
 
@@ -116,9 +118,37 @@ SolidPtr wire_helix(const At& at, double pitch, double height, double radius, do
   return wrap(helix(pitch, height, radius, gp_Ax3(axes(at)), half_angle, left));
 }
 
+namespace {
+
+// The circle that a wire is, if it is one.
+bool whole_circle(const TopoDS_Wire& wire, gp_Circ& circle) {
+  if (direct(wire).size() != 1 || !BRep_Tool::IsClosed(wire)) {
+    return false;
+  }
+  const Handle(Adaptor3d_Curve) curve = curve_along(wire);
+  if (curve->GetType() != GeomAbs_Circle) {
+    return false;
+  }
+  circle = curve->Circle();
+  return true;
+}
+
+}  // namespace
+
 // Corners: 0 arcs, 1 lines prolonged, 2 tangent lines.
 BundlePtr wire_offset(const Solid& wire, double distance, std::uint8_t corner) {
   const TopoDS_Wire spine = wire_in(shape_of(wire));
+  gp_Circ circle;
+  if (whole_circle(spine, circle)) {
+    // Inwards of a circle by some distances is a segmentation fault: it needs no algorithm.
+    BundlePtr out = bundle();
+    const double radius = circle.Radius() + distance;
+    if (radius > Precision::Confusion()) {
+      circle.SetRadius(radius);
+      out->shapes.push_back(wire_in(BRepBuilderAPI_MakeEdge(circle).Edge()));
+    }
+    return out;
+  }
   // Without a plane the algorithm ends in a segmentation fault.
   if (!BRepLib_FindSurface(spine, -1.0, Standard_True).Found()) {
     throw Refused("the wire does not lie in one plane only");

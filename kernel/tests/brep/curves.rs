@@ -209,6 +209,11 @@ fn offsets_grow_by_the_corners() {
         .offset_2d(-1.5, Corner::Arc)
         .unwrap();
     near(length(&ring[0]), 5.0 * PI, 1e-9);
+    // Some circles go down inside the kernel's own algorithm; one less than nothing is none.
+    let small = circle(0.0, 0.0, 0.0, 1.0);
+    let inside = small.offset_2d(-0.5, Corner::Arc).unwrap();
+    near(length(&inside[0]), PI, 1e-12);
+    assert!(small.offset_2d(-1.0, Corner::Arc).unwrap().is_empty());
 }
 
 #[test]

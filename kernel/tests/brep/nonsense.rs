@@ -176,6 +176,9 @@ fn work_that_does_not_fit() {
     says(solid.filleted(&edges, 100.0), "fillet of 100 mm");
     says(solid.chamfered(&edges, 100.0, None), "chamfer of 100 mm");
     says(solid.filleted(&[], 1.0), "no edges");
+    let sides = solid.parts(Topology::Face).unwrap();
+    let sides: Vec<&Shape> = sides.iter().collect();
+    says(solid.hollowed(&sides, 1.0, Corner::Arc), "no walls");
     let stranger = cuboid(1.0, 1.0, 1.0);
     let foreign = stranger.parts(Topology::Edge).unwrap();
     says(solid.filleted(&[&foreign[0]], 1.0), "none of the solid's");
@@ -242,6 +245,25 @@ fn sweeps_of_nothing() {
         "no length",
     );
     says(solid.extruded([0.0, 0.0, 1.0], 0.0), "cannot be swept");
+    says(Shape::lofted(&[&wire, &wire], true, true), "follows itself");
+    for transition in [
+        Transition::Transformed,
+        Transition::Round,
+        Transition::Right,
+    ] {
+        let flat = Sweep {
+            path: &wire,
+            transition,
+            ..s
+        };
+        says(
+            circle(0.0, 0.0, 0.0, 1.0).swept(&flat),
+            "plane of the profile",
+        );
+    }
+    let disc = face(&circle(0.0, 0.0, 0.0, 1.0), &[]);
+    says(disc.extruded([0.0, 0.0, 2.0], 45.0), "meet before its end");
+    says(solid.fused(&[&disc], false, None), "do not go together");
     says(wire.extruded([0.0, 0.0, 1.0], 5.0), "no face");
     says(
         Shape::extruded_until(&wire, &wire, None, true, true, 0.0),
