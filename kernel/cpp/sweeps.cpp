@@ -271,6 +271,7 @@ SolidPtr loft(const Bundle& sections, bool ruled, bool solid) {
   maker.SetParType(Approx_IsoParametric);
   bool known = false;
   bool closed = false;
+  TopoDS_Shape last;
   for (const TopoDS_Shape& section : sections.shapes) {
     if (section.ShapeType() == TopAbs_VERTEX) {
       maker.AddVertex(TopoDS::Vertex(section));
@@ -281,6 +282,10 @@ SolidPtr loft(const Bundle& sections, bool ruled, bool solid) {
     if (known && BRep_Tool::IsClosed(wire) != closed) {
       throw Refused("some of the outlines are closed and some are open");
     }
+    if (known && section.IsSame(last)) {
+      throw Refused("an outline follows itself");
+    }
+    last = section;
     known = true;
     closed = BRep_Tool::IsClosed(wire);
     if (solid && !closed) {

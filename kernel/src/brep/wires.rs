@@ -107,8 +107,7 @@ impl Shape {
             )));
         }
         let half = if angle_deg == 360.0 { 0.0 } else { angle_deg };
-        // Written so that NaN fails too.
-        if !(half.abs() < 90.0) {
+        if half.is_nan() || half.abs() >= 90.0 {
             return Err(KernelError::refused(format!(
                 "the half angle of the helix's cone is {angle_deg} degrees, and must lie between -90 \
                  and 90"
