@@ -13,6 +13,8 @@ pub mod entry;
 pub mod facts;
 mod gearing;
 mod geometry;
+mod hinges;
+mod joints;
 pub mod knowledge;
 pub mod load;
 pub mod query;

@@ -8,7 +8,53 @@ use crate::facts::Facts;
 use crate::knowledge::axioms;
 use crate::verdict::{About, Status, Verdict};
 
+mod anti_rotation;
+mod axis_alignment;
+mod backlash;
+mod base_first;
+mod bolt_length;
+mod bracket_legs;
+mod centre_distance;
+mod clamping;
+mod clearance_hole;
+mod contact_ratio;
+mod edge_distance;
+mod engagement_length;
+mod features_named;
+mod fixed_and_floating;
+mod gear_loop;
+mod ground_named;
+mod head_seat;
+mod helix_hand;
+mod hinge_line;
+mod hole_spacing;
+mod hub_length;
+mod interference;
+mod knuckle_play;
+mod load_path;
+mod mobility_as_intended;
+mod no_redundant_constraint;
+mod part_connected;
+mod pin_fit;
+mod pin_reach;
+mod pin_retention;
+mod plane_alignment;
+mod planet_spacing;
+mod prismatic_freedom;
+mod revolute_freedom;
+mod ring_fit;
+mod ring_seats;
+mod seat_on_face;
+mod shaft_angle;
+mod shaft_support;
+mod snap_lock;
+mod thread_bottoming;
+mod thread_match;
+mod tip_clearance;
 mod tooth_system;
+mod torque_path;
+mod undercut;
+mod washer_on_slot;
 
 /// A check of one axiom.
 pub trait Check: Sync {
@@ -21,7 +67,55 @@ pub trait Check: Sync {
 }
 
 /// Every check that is written, sorted by name.
-pub static ALL: [&dyn Check; 1] = [&tooth_system::ToothSystem];
+pub static ALL: [&dyn Check; 47] = [
+    &anti_rotation::AntiRotation,
+    &axis_alignment::AxisAlignment,
+    &backlash::Backlash,
+    &base_first::BaseFirst,
+    &bolt_length::BoltLength,
+    &bracket_legs::BracketLegs,
+    &centre_distance::CentreDistance,
+    &clamping::Clamping,
+    &clearance_hole::ClearanceHole,
+    &contact_ratio::ContactRatio,
+    &edge_distance::EdgeDistance,
+    &engagement_length::EngagementLength,
+    &features_named::FeaturesNamed,
+    &fixed_and_floating::FixedAndFloating,
+    &gear_loop::GearLoop,
+    &ground_named::GroundNamed,
+    &head_seat::HeadSeat,
+    &helix_hand::HelixHand,
+    &hinge_line::HingeLine,
+    &hole_spacing::HoleSpacing,
+    &hub_length::HubLength,
+    &interference::Interference,
+    &knuckle_play::KnucklePlay,
+    &load_path::LoadPath,
+    &mobility_as_intended::MobilityAsIntended,
+    &no_redundant_constraint::NoRedundantConstraint,
+    &part_connected::PartConnected,
+    &pin_fit::PinFit,
+    &pin_reach::PinReach,
+    &pin_retention::PinRetention,
+    &plane_alignment::PlaneAlignment,
+    &planet_spacing::PlanetSpacing,
+    &prismatic_freedom::PrismaticFreedom,
+    &revolute_freedom::RevoluteFreedom,
+    &ring_fit::RingFit,
+    &ring_seats::RingSeats,
+    &seat_on_face::SeatOnFace,
+    &shaft_angle::ShaftAngle,
+    &shaft_support::ShaftSupport,
+    &snap_lock::SnapLock,
+    &thread_bottoming::ThreadBottoming,
+    &thread_match::ThreadMatch,
+    &tip_clearance::TipClearance,
+    &tooth_system::ToothSystem,
+    &torque_path::TorquePath,
+    &undercut::Undercut,
+    &washer_on_slot::WasherOnSlot,
+];
 
 /// The written check of an axiom.
 #[must_use]
