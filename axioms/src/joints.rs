@@ -1,5 +1,7 @@
 //! What the checks of fasteners, seats and shafts share.
 
+use std::collections::BTreeSet;
+
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 
@@ -130,4 +132,22 @@ pub(crate) fn reach_along(own: &Side<'_>, other: &Side<'_>) -> Option<(f64, f64)
     let at = seen.origin().z;
     let (a, b) = (at + z.z * low, at + z.z * high);
     Some((a.min(b), a.max(b)))
+}
+
+/// The parts that mates connect to a part, over others, and the part itself.
+pub(crate) fn reached<'a>(facts: &'a Facts, from: &'a str) -> BTreeSet<&'a str> {
+    let mut reached = BTreeSet::from([from]);
+    // As often as there are parts at most: each round reaches one more, or is the last.
+    loop {
+        let before = reached.len();
+        for m in &facts.mates {
+            let (b, c) = (m.base.part.as_str(), m.incoming.part.as_str());
+            if reached.contains(b) || reached.contains(c) {
+                reached.extend([b, c]);
+            }
+        }
+        if reached.len() == before {
+            return reached;
+        }
+    }
 }

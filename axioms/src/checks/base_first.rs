@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::facts::Facts;
-use crate::joints::about;
+use crate::joints::{about, reached};
 use crate::verdict::{About, Verdict};
 use std::collections::BTreeSet;
 
@@ -31,8 +31,13 @@ impl Check for BaseFirst {
             message,
         ));
         let mut placed = BTreeSet::from([root]);
+        // What never reaches the ground is another axiom's.
+        let grounded = reached(facts, root);
         for m in &facts.mates {
             let (b, c) = (m.base.part.as_str(), m.incoming.part.as_str());
+            if !grounded.contains(b) {
+                continue;
+            }
             let holds = placed.contains(b) || placed.contains(c);
             let message = if holds {
                 format!("'{}' joins a part that has a place", m.id)

@@ -2,8 +2,8 @@
 
 use super::Check;
 use crate::facts::Facts;
+use crate::joints::reached;
 use crate::verdict::{About, Verdict};
-use std::collections::BTreeSet;
 
 /// Every part reaches the root over mates.
 pub struct LoadPath;
@@ -21,20 +21,7 @@ impl Check for LoadPath {
         let Some(root) = facts.root() else {
             return Vec::new();
         };
-        let mut reached = BTreeSet::from([root]);
-        // As often as there are parts at most: each round reaches one more, or is the last.
-        loop {
-            let before = reached.len();
-            for m in &facts.mates {
-                let (b, c) = (m.base.part.as_str(), m.incoming.part.as_str());
-                if reached.contains(b) || reached.contains(c) {
-                    reached.extend([b, c]);
-                }
-            }
-            if reached.len() == before {
-                break;
-            }
-        }
+        let reached = reached(facts, root);
         facts
             .parts
             .iter()
