@@ -28,6 +28,48 @@ pub struct Facts {
     /// What the analysis of motion found; none where there was none.
     #[serde(default)]
     pub mobility: Option<Mobility>,
+    /// What was measured between solids.
+    #[serde(default)]
+    pub measured: Measured,
+}
+
+/// What was measured between solids; none where nothing was.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Measured {
+    /// Pairs of parts whose boxes meet. Pairs that are not listed are apart.
+    #[serde(default)]
+    pub overlaps: Option<Vec<Overlap>>,
+    /// Mates that mean contact.
+    #[serde(default)]
+    pub contacts: Option<Vec<Contact>>,
+}
+
+/// What two parts have in common.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Overlap {
+    /// A part.
+    pub a: String,
+    /// The other part.
+    pub b: String,
+    /// The volume in common, in mm3; none where it could not be computed.
+    #[serde(default)]
+    pub common_mm3: Option<f64>,
+    /// The volume in common that their mates mean, in mm3.
+    #[serde(default)]
+    pub allowed_mm3: f64,
+}
+
+/// Whether the parts of a mate touch.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Contact {
+    /// The mate.
+    pub mate: String,
+    /// Whether they do; none where it could not be told.
+    #[serde(default)]
+    pub touches: Option<bool>,
 }
 
 /// A part.

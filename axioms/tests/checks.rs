@@ -5,6 +5,13 @@
 //! a case takes its plain value: a part stands in the world as it is, a port's frame has the world's axes.
 //! Values in the checks are confirmed by `values` (after the change: `breaks.values`).
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing
+)]
+
 use std::collections::BTreeSet;
 
 use assemcad_axioms::knowledge::axiom;
@@ -157,7 +164,6 @@ fn confirm(name: &str, facts: &Facts, status: Status, values: Option<&Value>) {
 #[test]
 fn each_axiom_is_obeyed_and_broken_alone() {
     for (name, case) in cases() {
-        println!("{name}");
         assert_eq!(axiom(&name).map(|a| a.id.clone()), Some(name.clone()));
         assert!(
             case["what"].as_str().unwrap().len() > 10 && case["breaks"]["what"].is_string(),

@@ -1,5 +1,12 @@
 //! The knowledge base as a whole.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing
+)]
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use assemcad_axioms::axiom::{CATEGORIES, Checking, Force, Provenance};

@@ -1,5 +1,12 @@
 //! Faults of the data are told with their lines.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing
+)]
+
 use assemcad_axioms::load::load;
 
 const GOOD: &str = "category: F

@@ -1,5 +1,12 @@
 //! Finding axioms and holding them against mates.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing
+)]
+
 use assemcad_axioms::knowledge::axiom;
 use assemcad_axioms::query::{Query, applicable_to, applies, find};
 use assemcad_axioms::{Applicability, Class};

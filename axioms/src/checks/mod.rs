@@ -17,6 +17,7 @@ mod bracket_legs;
 mod centre_distance;
 mod clamping;
 mod clearance_hole;
+mod contact_at_seat;
 mod contact_ratio;
 mod edge_distance;
 mod engagement_length;
@@ -34,6 +35,7 @@ mod knuckle_play;
 mod load_path;
 mod mobility_as_intended;
 mod no_redundant_constraint;
+mod no_unmeant_overlap;
 mod part_connected;
 mod pin_fit;
 mod pin_reach;
@@ -44,10 +46,12 @@ mod prismatic_freedom;
 mod revolute_freedom;
 mod ring_fit;
 mod ring_seats;
+mod screw_freedom;
 mod seat_on_face;
 mod shaft_angle;
 mod shaft_support;
 mod snap_lock;
+mod stable_footing;
 mod thread_bottoming;
 mod thread_match;
 mod tip_clearance;
@@ -67,7 +71,7 @@ pub trait Check: Sync {
 }
 
 /// Every check that is written, sorted by name.
-pub static ALL: [&dyn Check; 47] = [
+pub static ALL: [&dyn Check; 51] = [
     &anti_rotation::AntiRotation,
     &axis_alignment::AxisAlignment,
     &backlash::Backlash,
@@ -77,6 +81,7 @@ pub static ALL: [&dyn Check; 47] = [
     &centre_distance::CentreDistance,
     &clamping::Clamping,
     &clearance_hole::ClearanceHole,
+    &contact_at_seat::ContactAtSeat,
     &contact_ratio::ContactRatio,
     &edge_distance::EdgeDistance,
     &engagement_length::EngagementLength,
@@ -94,6 +99,7 @@ pub static ALL: [&dyn Check; 47] = [
     &load_path::LoadPath,
     &mobility_as_intended::MobilityAsIntended,
     &no_redundant_constraint::NoRedundantConstraint,
+    &no_unmeant_overlap::NoUnmeantOverlap,
     &part_connected::PartConnected,
     &pin_fit::PinFit,
     &pin_reach::PinReach,
@@ -104,10 +110,12 @@ pub static ALL: [&dyn Check; 47] = [
     &revolute_freedom::RevoluteFreedom,
     &ring_fit::RingFit,
     &ring_seats::RingSeats,
+    &screw_freedom::ScrewFreedom,
     &seat_on_face::SeatOnFace,
     &shaft_angle::ShaftAngle,
     &shaft_support::ShaftSupport,
     &snap_lock::SnapLock,
+    &stable_footing::StableFooting,
     &thread_bottoming::ThreadBottoming,
     &thread_match::ThreadMatch,
     &tip_clearance::TipClearance,
