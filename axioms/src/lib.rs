@@ -17,6 +17,7 @@ mod hinges;
 mod joints;
 pub mod knowledge;
 pub mod load;
+mod measured;
 pub mod query;
 mod tables;
 mod validate;

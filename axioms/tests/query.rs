@@ -2,9 +2,9 @@
 
 #![allow(
     clippy::unwrap_used,
-    clippy::expect_used,
     clippy::panic,
-    clippy::indexing_slicing
+    clippy::indexing_slicing,
+    reason = "helpers of tests, outside of #[test] functions"
 )]
 
 use assemcad_axioms::knowledge::axiom;

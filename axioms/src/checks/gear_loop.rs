@@ -56,7 +56,10 @@ impl Check for GearLoop {
                     out.push(
                         Verdict::held(self.axiom(), holds, about, message)
                             .value("speed_along_the_ring", b)
-                            .value("speed_by_this_pair", a * ratio),
+                            .value("speed_by_this_pair", a * ratio)
+                            .assuming(
+                                "one part, standing or turning, carries all axes of the ring",
+                            ),
                     );
                 }
                 (Some(a), None) => {

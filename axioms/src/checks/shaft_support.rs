@@ -74,7 +74,15 @@ fn places<'a>(facts: &'a Facts, shaft: &PartFacts) -> Vec<Place<'a>> {
 fn carried(axiom: &str, facts: &Facts, shaft: &PartFacts) -> Verdict {
     let places = places(facts, shaft);
     let about = about_part(shaft, places.iter().map(|p| p.mate));
-    let verdict = |status, message: String| Verdict::new(axiom, status, about.clone(), message);
+    let custom = places.iter().any(|p| p.hole.part.class() == Class::Custom);
+    let verdict = |status, message: String| {
+        let v = Verdict::new(axiom, status, about.clone(), message);
+        if custom {
+            v.assuming("a part of a user's factory with the shaft in its bore carries the shaft")
+        } else {
+            v
+        }
+    };
     let stiff = places.iter().find(|p| {
         let plain = p.hole.part.class() != Class::BallBearing;
         let pressed = p.mate.mate_type == MateType::PressFit;
