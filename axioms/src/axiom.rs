@@ -197,7 +197,7 @@ impl Checking {
 pub enum Need {
     /// Parts, mates and their options.
     Specification,
-    /// Ports with their frames in the world.
+    /// Ports with their parameters, and their frames in the world.
     PlacedPorts,
     /// What a kernel measures of the solids.
     Geometry,

@@ -89,6 +89,13 @@ impl Verdict {
         Self::new(axiom, status, about, message)
     }
 
+    /// Indeterminate, because a part has no place.
+    #[must_use]
+    pub fn unplaced(axiom: &str, about: About) -> Self {
+        let message = "not all of the parts have a place";
+        Self::new(axiom, Status::Indeterminate, about, message)
+    }
+
     /// With a value, rounded as a report rounds. What is no number is left out.
     #[must_use]
     pub fn value(mut self, name: &str, value: f64) -> Self {

@@ -14,8 +14,11 @@
 
 use std::collections::BTreeSet;
 
+use assemcad_axioms::axiom::{Checking, Need};
 use assemcad_axioms::knowledge::axiom;
 use assemcad_axioms::{Facts, Status, checks};
+use assemcad_model::frame::Placement;
+use assemcad_model::mates::MateType;
 use assemcad_model::yaml;
 use serde_json::{Map, Value, json};
 
@@ -217,6 +220,97 @@ fn what_is_not_there_is_said_to_be() {
     let ids: BTreeSet<&str> = verdicts.iter().map(|v| v.axiom.as_str()).collect();
     assert_eq!(ids.len(), checks::ALL.len());
     assert!(checks::not_written().all(|a| !ids.contains(a.id.as_str())));
+}
+
+fn both(case: &Value) -> [Value; 2] {
+    let mut broken = case["obeys"].clone();
+    for (path, to) in case["breaks"]["change"].as_object().unwrap() {
+        change(&mut broken, path, to);
+    }
+    [case["obeys"].clone(), broken]
+}
+
+fn statuses(facts: &Facts) -> Vec<(String, Status)> {
+    let all = checks::run_all(facts).into_iter();
+    let mut all: Vec<_> = all.map(|v| (v.axiom, v.status)).collect();
+    all.sort();
+    all
+}
+
+/// An assembly is as good in another place and attitude.
+#[test]
+fn a_rigid_motion_of_everything_changes_nothing() {
+    let turn = Placement::rotation_about([3.0, -20.0, 7.0], [1.0, 2.0, -0.5], 73.0).unwrap();
+    for (name, case) in cases() {
+        for value in both(&case) {
+            let here = facts(&name, &value);
+            let mut there = here.clone();
+            for part in &mut there.parts {
+                part.placement = part.placement.map(|p| turn * p);
+            }
+            assert_eq!(statuses(&here), statuses(&there), "{name}");
+        }
+    }
+}
+
+/// Which of the two ends stays says nothing about how they go together.
+#[test]
+fn base_and_incoming_are_alike() {
+    for (name, case) in cases() {
+        for value in both(&case) {
+            let here = facts(&name, &value);
+            let mut there = here.clone();
+            for m in &mut there.mates {
+                // The place on a face is given in the base face's extents.
+                if m.mate_type != MateType::SnapToFace {
+                    std::mem::swap(&mut m.base, &mut m.incoming);
+                }
+            }
+            assert_eq!(statuses(&here), statuses(&there), "{name}");
+        }
+    }
+}
+
+/// Where nothing has a place, a check of places neither passes nor fails; those that pass look at ports
+/// in their parts' own frames, or at what mates state.
+#[test]
+fn without_places_nothing_is_said_of_places() {
+    let by_ports = [
+        "B-04", "G-06", "K-04", "N-03", "N-04", "N-06", "P-02", "P-03", "T-02", "T-03", "T-04",
+        "T-05", "T-06", "T-07",
+    ];
+    for (name, case) in cases() {
+        let mut unplaced = facts(&name, &case["obeys"]);
+        for part in &mut unplaced.parts {
+            part.placement = None;
+        }
+        let known = ["F-02", "P-03", "S-03"];
+        let failing = failing(&unplaced);
+        let more: Vec<_> = failing
+            .iter()
+            .filter(|a| !known.contains(&a.as_str()))
+            .collect();
+        assert!(
+            more.is_empty(),
+            "{name}: {more:?} {:#?}",
+            checks::run_all(&unplaced)
+        );
+        let Checking::Checked { needs, .. } = &axiom(&name).unwrap().check else {
+            continue;
+        };
+        let placed = needs.contains(&Need::PlacedPorts) && !needs.contains(&Need::Geometry);
+        if placed && !by_ports.contains(&name.as_str()) && name != "G-09" {
+            let of = |v: &&assemcad_axioms::Verdict| v.axiom == name;
+            let verdicts = checks::run_all(&unplaced);
+            assert!(
+                verdicts
+                    .iter()
+                    .filter(of)
+                    .all(|v| v.status == Status::Indeterminate),
+                "{name}: {verdicts:#?}"
+            );
+        }
+    }
 }
 
 /// Two runs over the same facts give the same text.

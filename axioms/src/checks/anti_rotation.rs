@@ -60,7 +60,6 @@ fn held(axiom: &str, facts: &Facts, part: &PartFacts) -> Option<Verdict> {
         }
         screwed |= other.part.class().is_fastener();
         mates.push(mate);
-        // A part without a place cannot be told apart: each mate counts as an axis of its own.
         let known = axes
             .iter()
             .any(|a| a.sees(&own).is_some_and(|s| collinear(&s)));
@@ -70,6 +69,9 @@ fn held(axiom: &str, facts: &Facts, part: &PartFacts) -> Option<Verdict> {
     }
     if !screwed {
         return None;
+    }
+    if part.placement.is_none() {
+        return Some(Verdict::unplaced(axiom, about_part(part, mates)));
     }
     let n = axes.len();
     let message = if n > 1 {

@@ -45,7 +45,10 @@ impl Check for AxisAlignment {
             let Some((b, c)) = facts.sides(m) else {
                 continue;
             };
-            let Some(seen) = b.sees(&c) else { continue };
+            let Some(seen) = b.sees(&c) else {
+                out.push(Verdict::unplaced(self.axiom(), about(m)));
+                continue;
+            };
             let (off, askew) = (off_axis_mm(&seen), askew_deg(&seen));
             let line = off <= NEAR_MM && askew <= NEAR_DEG;
             let play = play(b.port, c.port);

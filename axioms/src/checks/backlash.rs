@@ -26,6 +26,10 @@ impl Check for Backlash {
     fn run(&self, facts: &Facts) -> Vec<Verdict> {
         let mut out = Vec::new();
         for p in pairs(facts) {
+            if p.seen.is_none() {
+                out.push(Verdict::unplaced(self.axiom(), p.about()));
+                continue;
+            }
             let Some(a) = p.distance() else { continue };
             let most = SHARE * p.a.module;
             let Some(play) = p.circular_play(a) else {

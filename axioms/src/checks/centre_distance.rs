@@ -22,6 +22,10 @@ impl Check for CentreDistance {
     fn run(&self, facts: &Facts) -> Vec<Verdict> {
         let mut out = Vec::new();
         for p in pairs(facts) {
+            if p.seen.is_none() {
+                out.push(Verdict::unplaced(self.axiom(), p.about()));
+                continue;
+            }
             let (Some(actual), Some(tight)) = (p.distance(), p.operating_distance()) else {
                 continue;
             };

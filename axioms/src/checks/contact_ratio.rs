@@ -43,6 +43,10 @@ impl Check for ContactRatio {
     fn run(&self, facts: &Facts) -> Vec<Verdict> {
         let mut out = Vec::new();
         for p in pairs(facts) {
+            if p.seen.is_none() {
+                out.push(Verdict::unplaced(self.axiom(), p.about()));
+                continue;
+            }
             let Some(distance) = p.distance() else {
                 continue;
             };

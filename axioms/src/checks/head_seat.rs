@@ -54,6 +54,10 @@ impl Check for HeadSeat {
             if !covers {
                 wrong.push(format!("its {wide} mm do not span the hole of {hole} mm"));
             }
+            if wrong.is_empty() && v_off.is_none() {
+                out.push(Verdict::unplaced(self.axiom(), about(mate)));
+                continue;
+            }
             let message = if wrong.is_empty() {
                 format!("'{}' sits square on '{}'", seat.part.id, under.part.id)
             } else {

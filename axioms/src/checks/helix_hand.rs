@@ -26,6 +26,11 @@ impl Check for HelixHand {
             let sign = if p.inside() { 1.0 } else { -1.0 };
             let wanted = sign * p.a.helix_deg;
             let holds = (p.b.helix_deg - wanted).abs() <= 1e-9;
+            if p.seen.is_none() {
+                // On crossed axes another rule holds.
+                out.push(Verdict::unplaced(self.axiom(), p.about()));
+                continue;
+            }
             let message = if holds {
                 format!("the helices of {} match", p.names())
             } else {

@@ -27,6 +27,7 @@ impl Check for HingeLine {
                     continue;
                 };
                 let Some(seen) = p.pin.sees(&q.pin) else {
+                    out.push(Verdict::unplaced(self.axiom(), a.about()));
                     continue;
                 };
                 let (off, askew) = (off_axis_mm(&seen), askew_deg(&seen));

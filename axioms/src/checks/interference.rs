@@ -34,6 +34,10 @@ impl Check for Interference {
                 own_high.min(high) - own_low.max(low)
             });
             // Written so that an unknown diameter is no interference.
+            if excess >= 0.0 && common.is_none() {
+                out.push(Verdict::unplaced(self.axiom(), about(m)));
+                continue;
+            }
             let holds = excess >= 0.0 && common.is_none_or(|c| c > 0.0);
             let message = if holds {
                 format!("'{}' is pressed into '{}'", shaft.part.id, hole.part.id)

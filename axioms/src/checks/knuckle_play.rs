@@ -21,7 +21,10 @@ impl Check for KnucklePlay {
     fn run(&self, facts: &Facts) -> Vec<Verdict> {
         let mut out = Vec::new();
         for h in hinges(facts) {
-            let Some(along) = h.along() else { continue };
+            let Some(along) = h.along() else {
+                out.push(Verdict::unplaced(self.axiom(), h.about()));
+                continue;
+            };
             if along.len() < 2 {
                 continue;
             }

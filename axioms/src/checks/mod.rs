@@ -28,6 +28,7 @@ mod ground_named;
 mod head_seat;
 mod helix_hand;
 mod hinge_line;
+mod hole_pattern;
 mod hole_spacing;
 mod hub_length;
 mod interference;
@@ -71,7 +72,7 @@ pub trait Check: Sync {
 }
 
 /// Every check that is written, sorted by name.
-pub static ALL: [&dyn Check; 51] = [
+pub static ALL: [&dyn Check; 52] = [
     &anti_rotation::AntiRotation,
     &axis_alignment::AxisAlignment,
     &backlash::Backlash,
@@ -92,6 +93,7 @@ pub static ALL: [&dyn Check; 51] = [
     &head_seat::HeadSeat,
     &helix_hand::HelixHand,
     &hinge_line::HingeLine,
+    &hole_pattern::HolePattern,
     &hole_spacing::HoleSpacing,
     &hub_length::HubLength,
     &interference::Interference,

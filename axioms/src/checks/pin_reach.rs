@@ -23,6 +23,7 @@ impl Check for PinReach {
         let mut out = Vec::new();
         for h in hinges(facts) {
             let (Some(along), Some(first)) = (h.along(), h.knuckles.first()) else {
+                out.push(Verdict::unplaced(self.axiom(), h.about()));
                 continue;
             };
             let (low, high) = reach(&first.pin);

@@ -26,7 +26,11 @@ impl Check for PlaneAlignment {
             .iter()
             .filter(|m| m.mate_type == MateType::FaceToFace)
         {
-            let Some(seen) = facts.sides(m).and_then(|(b, c)| b.sees(&c)) else {
+            let Some((b, c)) = facts.sides(m) else {
+                continue;
+            };
+            let Some(seen) = b.sees(&c) else {
+                out.push(Verdict::unplaced(self.axiom(), about(m)));
                 continue;
             };
             let (askew, gap) = (180.0 - z_angle_deg(&seen), seen.origin().z);

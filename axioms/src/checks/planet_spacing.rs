@@ -141,11 +141,15 @@ fn stage(axiom: &str, pairs: &[Pair<'_>], ring: &str, sun: &str) -> Option<Verdi
             wrong.join("; ")
         )
     };
-    Some(
-        Verdict::held(axiom, wrong.is_empty(), About::parts(parts), message)
-            .value("teeth_of_sun_and_ring", sum)
-            .value("planets", planets.len() as f64),
-    )
+    let placed = planets.iter().all(|p| p.at_deg.is_some());
+    let v = Verdict::held(axiom, wrong.is_empty(), About::parts(parts), message)
+        .value("teeth_of_sun_and_ring", sum)
+        .value("planets", planets.len() as f64);
+    Some(if placed {
+        v
+    } else {
+        v.assuming("the planets are equally spaced: they have no place yet")
+    })
 }
 
 /// How far the axes of sun and ring are apart, where they are not one line.

@@ -43,6 +43,7 @@ impl Check for SeatOnFace {
                 continue;
             };
             let Some(seen) = face.sees(&seat) else {
+                out.push(Verdict::unplaced(self.axiom(), about(m)));
                 continue;
             };
             let (Some((x, y)), Some((u, v))) = (half(&face), half(&seat)) else {

@@ -24,8 +24,12 @@ impl Check for ShaftAngle {
     fn run(&self, facts: &Facts) -> Vec<Verdict> {
         let mut out = Vec::new();
         for p in pairs(facts) {
+            let straight = p.a.straight() && p.b.straight();
+            if p.seen.is_none() && !straight {
+                out.push(Verdict::unplaced(self.axiom(), p.about()));
+            }
             // Straight teeth on such axes are a matter of the tooth system.
-            if p.parallel() != Some(false) || (p.a.straight() && p.b.straight()) {
+            if p.parallel() != Some(false) || straight {
                 continue;
             }
             let Some(seen) = p.seen else { continue };

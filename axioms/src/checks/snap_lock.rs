@@ -26,7 +26,10 @@ impl Check for SnapLock {
             let Some((a, b)) = ends(facts, mate, snap, snap) else {
                 continue;
             };
-            let Some(seen) = a.sees(&b) else { continue };
+            let Some(seen) = a.sees(&b) else {
+                out.push(Verdict::unplaced(self.axiom(), about(mate)));
+                continue;
+            };
             let (o, [x, _, _]) = (seen.origin(), seen.axes());
             // Half extents of the other face along this one's x and y: of the rectangle about it.
             let (length, width) = (b.port.value("overlap") / 2.0, b.port.value("width") / 2.0);

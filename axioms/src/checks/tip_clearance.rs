@@ -24,6 +24,10 @@ impl Check for TipClearance {
     fn run(&self, facts: &Facts) -> Vec<Verdict> {
         let mut out = Vec::new();
         for p in pairs(facts) {
+            if p.seen.is_none() {
+                out.push(Verdict::unplaced(self.axiom(), p.about()));
+                continue;
+            }
             let Some(a) = p.distance() else { continue };
             let (g, h) = p.ring_last();
             let (first, second) = if h.internal {

@@ -37,6 +37,9 @@ impl Check for ToothSystem {
                 if p.a.straight() && p.b.straight() && p.parallel() == Some(false) {
                     wrong.push("their axes are not parallel");
                 }
+                if wrong.is_empty() && p.seen.is_none() {
+                    return Verdict::unplaced(self.axiom(), p.about());
+                }
                 let message = if wrong.is_empty() {
                     format!("{} are of one tooth system", p.names())
                 } else {
