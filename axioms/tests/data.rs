@@ -78,6 +78,12 @@ fn every_mate_type_port_type_and_class_is_covered() {
 fn scopes_are_disjoint() {
     let decisions: BTreeSet<_> = axioms().iter().map(|a| a.decision).collect();
     assert_eq!(decisions.len(), axioms().len());
+    // No word of the vocabulary is left over.
+    let schema = assemcad_axioms::entry::file_schema();
+    let words = schema
+        .pointer("/properties/axioms/items/properties/decision/enum")
+        .unwrap();
+    assert_eq!(words.as_array().unwrap().len(), decisions.len());
     let statements: BTreeSet<_> = axioms().iter().map(|a| &a.statement).collect();
     assert_eq!(statements.len(), axioms().len());
 }
