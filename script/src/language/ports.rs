@@ -29,9 +29,10 @@ pub(crate) fn complete(method: &Method, args: &mut BTreeMap<String, Json>) -> Re
     match method.name {
         "Workplane.port" => whole_port(kind, args),
         "Workplane.gear_mesh_port" => {
+            ranges(kind, args)?;
             let outline = toothing(args)?.outline().map_err(Fault::new)?;
             args.insert("outline".to_owned(), json_of(&outline)?);
-            ranges(kind, args)
+            Ok(())
         }
         _ => ranges(kind, args),
     }
