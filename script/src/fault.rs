@@ -119,8 +119,7 @@ pub(crate) fn diagnostic(
         ErrorKind::Scope(_) => unknown_name(&text),
         ErrorKind::Internal(_) => Fault::new("the interpreter met a fault of its own here")
             .hint("write the statement in another way"),
-        _ => crate::hints::missing(&text, written(error))
-            .unwrap_or_else(|| other(&text, limits)),
+        _ => crate::hints::missing(&text, written(error)).unwrap_or_else(|| other(&text, limits)),
     };
     fault.diagnostic(name, line)
 }

@@ -47,10 +47,37 @@ fn near_or(fault: Fault, near: &[&str], all: &[&str]) -> Fault {
 
 /// What asks for measures, which nobody knows while the script runs.
 const MEASURES: [&str; 31] = [
-    "size", "Volume", "Area", "Length", "Center", "CenterOfBoundBox", "centerOfMass", "BoundingBox",
-    "geomType", "isValid", "objects", "plane", "all", "largestDimension", "toPnt", "normalAt",
-    "positionAt", "tangentAt", "startPoint", "endPoint", "Vertices", "Edges", "Wires", "Faces",
-    "Shells", "Solids", "x", "y", "z", "toTuple", "ctx",
+    "size",
+    "Volume",
+    "Area",
+    "Length",
+    "Center",
+    "CenterOfBoundBox",
+    "centerOfMass",
+    "BoundingBox",
+    "geomType",
+    "isValid",
+    "objects",
+    "plane",
+    "all",
+    "largestDimension",
+    "toPnt",
+    "normalAt",
+    "positionAt",
+    "tangentAt",
+    "startPoint",
+    "endPoint",
+    "Vertices",
+    "Edges",
+    "Wires",
+    "Faces",
+    "Shells",
+    "Solids",
+    "x",
+    "y",
+    "z",
+    "toTuple",
+    "ctx",
 ];
 
 fn of_handle(kind: &str, wanted: &str) -> Fault {
@@ -68,7 +95,9 @@ fn of_handle(kind: &str, wanted: &str) -> Fault {
                 "Vertices" | "Edges" | "Wires" | "Faces" | "Shells" | "Solids" => {
                     "write .faces(), .edges() and so on, with a selector"
                 }
-                _ => "compute it from the numbers of the script, or select with \">Z\" and the like",
+                _ => {
+                    "compute it from the numbers of the script, or select with \">Z\" and the like"
+                }
             };
             return fault.hint(format!(
                 "the solid is made after the script has run and cannot be asked; {instead}"
@@ -82,8 +111,9 @@ fn of_handle(kind: &str, wanted: &str) -> Fault {
     }
     match (kind, near.is_empty()) {
         ("Shapes", _) => fault.hint("take one: shapes[0], or workplane.item(0).val()"),
-        ("Location", _) => fault
-            .hint("a location that a function is given is for shape.moved(loc) and shape.located(loc)"),
+        ("Location", _) => fault.hint(
+            "a location that a function is given is for shape.moved(loc) and shape.located(loc)",
+        ),
         (_, false) => fault.hint(format!("did you mean {}?", near.join(" or "))),
         (_, true) => fault.hint(format!("there are: {}", all.join(", "))),
     }
@@ -93,7 +123,9 @@ fn of_handle(kind: &str, wanted: &str) -> Fault {
 fn elsewhere(wanted: &str) -> Option<&'static str> {
     Some(match wanted {
         "text" => "there are no fonts; draw letters as outlines",
-        "sketch" | "placeSketch" | "Sketch" => "draw with rect, circle, polyline, lineTo, close and offset2D",
+        "sketch" | "placeSketch" | "Sketch" => {
+            "draw with rect, circle, polyline, lineTo, close and offset2D"
+        }
         "interpPlate" => "draw the solid with extrude, loft or sweep",
         "parametricCurve" | "parametricSurface" => {
             "compute the points in a list and write .spline(points)"
@@ -101,7 +133,9 @@ fn elsewhere(wanted: &str) -> Option<&'static str> {
         "export" | "exportSvg" | "exportStep" | "exportStl" | "toSvg" | "toOCC" | "wrapped" => {
             "a script writes no files: leave the solid in `result`"
         }
-        "filter" | "sort" | "map" | "apply" | "invoke" => "use a selector such as \">Z\" or \"%CYLINDER\"",
+        "filter" | "sort" | "map" | "apply" | "invoke" => {
+            "use a selector such as \">Z\" or \"%CYLINDER\""
+        }
         "cutEach" | "cboreCut" => "write .cut(...) with what is to be cut",
         "threePointArcTo" => "write .threePointArc(point1, point2)",
         _ => return None,
@@ -113,7 +147,11 @@ fn of_cq(wanted: &str, written: &str) -> Fault {
     let group = written.rsplit_once('.').map_or("", |(before, _)| before);
     let path = group.split_once('.').map_or("", |(_, path)| path).trim();
     let path = if cq::has(path) { path } else { "" };
-    let shown = if path.is_empty() { "cq".to_owned() } else { format!("cq.{path}") };
+    let shown = if path.is_empty() {
+        "cq".to_owned()
+    } else {
+        format!("cq.{path}")
+    };
     let fault = Fault::new(format!("{shown} has no '{}'", clip(wanted)));
     match wanted {
         "Assembly" | "Constraint" | "Color" => {

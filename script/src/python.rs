@@ -71,7 +71,11 @@ fn edits(source: &str, dialect: &Dialect) -> (Vec<Edit>, Vec<Fault>) {
                 if is_import && begins && from >= past {
                     let end = end_of_import(source, from);
                     match import(source.get(from..end).unwrap_or_default()) {
-                        Ok(text) => edits.push(Edit { from, to: end, text }),
+                        Ok(text) => edits.push(Edit {
+                            from,
+                            to: end,
+                            text,
+                        }),
                         Err(fault) => faults.push(fault.line(line(from))),
                     }
                     past = end;
@@ -229,14 +233,19 @@ fn import(text: &str) -> Result<String, Fault> {
                 return Err(Fault::new(format!("{module} has no '{name}' here"))
                     .hint(format!("there are: {}", members(base).join(", "))));
             }
-            bound.push(format!("{} = {base}.{name}", alias_of(alias.unwrap_or(name))?));
+            bound.push(format!(
+                "{} = {base}.{name}",
+                alias_of(alias.unwrap_or(name))?
+            ));
         }
     } else {
         let names = plain.trim().trim_start_matches("import");
         for (name, alias) in names.split(',').filter_map(pair) {
             let base = base(name)?;
             match alias {
-                Some(alias) if alias != base => bound.push(format!("{} = {base}", alias_of(alias)?)),
+                Some(alias) if alias != base => {
+                    bound.push(format!("{} = {base}", alias_of(alias)?))
+                }
                 _ => {}
             }
         }
@@ -258,9 +267,7 @@ fn pair(text: &str) -> Option<(&str, Option<&str>)> {
 }
 
 fn alias_of(alias: &str) -> Result<&str, Fault> {
-    let plain = alias
-        .chars()
-        .all(|c| c.is_ascii_alphanumeric() || c == '_')
+    let plain = alias.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
         && !alias.starts_with(|c: char| c.is_ascii_digit())
         && !alias.starts_with(RESERVED_PREFIX);
     plain
@@ -312,7 +319,10 @@ mod tests {
             ("import cadquery\n", "pass\n"),
             ("import cadquery as c, math as m\n", "c = cq; m = math\n"),
             ("import math # why\n", "pass# why\n"),
-            ("from math import sin, pi as p\n", "sin = math.sin; p = math.pi\n"),
+            (
+                "from math import sin, pi as p\n",
+                "sin = math.sin; p = math.pi\n",
+            ),
             (
                 "from cadquery import (\n    Workplane,  # w\n    Vector,\n)\n",
                 "Workplane = cq.Workplane; Vector = cq.Vector\n\n\n\n",
@@ -321,14 +331,27 @@ mod tests {
                 "from cadquery.selectors import BoxSelector\n",
                 "BoxSelector = cq.selectors.BoxSelector\n",
             ),
-            ("def f():\n    import math\n    return 1\n", "def f():\n    pass\n    return 1\n"),
-            ("x = \"\"\"\nimport os\n\"\"\"\n", "x = \"\"\"\nimport os\n\"\"\"\n"),
+            (
+                "def f():\n    import math\n    return 1\n",
+                "def f():\n    pass\n    return 1\n",
+            ),
+            (
+                "x = \"\"\"\nimport os\n\"\"\"\n",
+                "x = \"\"\"\nimport os\n\"\"\"\n",
+            ),
         ] {
             assert_eq!(rewritten(source), expected);
         }
         assert!(rewritten("from math import *\n").contains("; sqrt = math.sqrt"));
-        for source in ["import os\n", "from cadquery import Assembly\n", "import numpy as np\n"] {
-            assert_eq!(rewrite(source, &crate::run::dialect()).unwrap_err().len(), 1);
+        for source in [
+            "import os\n",
+            "from cadquery import Assembly\n",
+            "import numpy as np\n",
+        ] {
+            assert_eq!(
+                rewrite(source, &crate::run::dialect()).unwrap_err().len(),
+                1
+            );
         }
     }
 

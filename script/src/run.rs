@@ -95,10 +95,14 @@ impl Job {
                 if !broken.is_empty() {
                     return Err(broken.iter().map(|m| fault::of_params(m)).collect());
                 }
-                let result =
-                    result.map_err(|e| {
-                        vec![fault::diagnostic(&job.name, &job.limits, &session.lines, &e)]
-                    })?;
+                let result = result.map_err(|e| {
+                    vec![fault::diagnostic(
+                        &job.name,
+                        &job.limits,
+                        &session.lines,
+                        &e,
+                    )]
+                })?;
                 let hint = "end build(p) with `return` and the finished workplane";
                 built(job, session, "build(p) returned", result, hint)
             })
@@ -164,8 +168,14 @@ impl Job {
         }
         let lines = Lines(crate::scan::calls(&source, &dialect));
         let session = Session::new(&self.limits, lines);
-        let one =
-            |e: &starlark::Error| vec![fault::diagnostic(&self.name, &self.limits, &session.lines, e)];
+        let one = |e: &starlark::Error| {
+            vec![fault::diagnostic(
+                &self.name,
+                &self.limits,
+                &session.lines,
+                e,
+            )]
+        };
         let mut ast = AstModule::parse(&self.name, source, &dialect).map_err(|e| one(&e))?;
         ast.replace_binary_operators(&guard::operators());
         let deadline = Instant::now() + self.limits.time;

@@ -209,7 +209,10 @@ fn operators_are_those_of_cadquery() {
     // What the chain of vals is of.
     let all = calls("w = cq.Workplane()\nreturn w.vals()[1] + w[2].val()");
     assert_eq!(all[2]["call"], "Workplane.item");
-    assert_eq!((&all[2]["on"], &all[2]["args"]["i"]), (&json!(0), &json!(1)));
+    assert_eq!(
+        (&all[2]["on"], &all[2]["args"]["i"]),
+        (&json!(0), &json!(1))
+    );
     assert_eq!(all[3]["call"], "Workplane.val");
     assert_eq!(all[4]["args"]["i"], json!(2));
 }
@@ -246,7 +249,10 @@ fn functions_of_each_are_called_once() {
     assert_eq!(each["args"]["variable"], json!({"ref": 5}));
     assert_eq!(each["args"]["callback"], json!({"ref": 6}));
     let d = fault("return cq.Workplane().eachpoint(lambda loc: loc)");
-    assert!(d.message.contains("returned a Location and not a shape"), "{d}");
+    assert!(
+        d.message.contains("returned a Location and not a shape"),
+        "{d}"
+    );
     let d = fault("return cq.Workplane().eachpoint(lambda loc: 1 + nothing(loc))");
     assert!(d.message.contains("nothing"), "{d}");
     let d = fault("x = 1\nreturn cq.Workplane().eachpoint(lambda loc: cq.Workplane().box(1, 1))");
@@ -298,21 +304,60 @@ fn values_are_written_as_kinds_say() {
 #[test]
 fn ports_are_checked_as_far_as_they_are_known() {
     for (call, message, hint) in [
-        ("bore_port(\"a b\", 3)", "'a b' cannot name a port", "1 to 64"),
-        ("bore_port(\"a\", 3, back=\"/\")", "'/' cannot name a port", "1 to 64"),
-        ("bore_port(\"a\", -3)", "'diameter' of a BORE port is a number from", ""),
+        (
+            "bore_port(\"a b\", 3)",
+            "'a b' cannot name a port",
+            "1 to 64",
+        ),
+        (
+            "bore_port(\"a\", 3, back=\"/\")",
+            "'/' cannot name a port",
+            "1 to 64",
+        ),
+        (
+            "bore_port(\"a\", -3)",
+            "'diameter' of a BORE port is a number from",
+            "",
+        ),
         ("shaft_port(\"a\", 3, 0)", "'length' of a SHAFT port", ""),
-        ("port(\"p\", \"HOLLOW\", {})", "no port type 'HOLLOW'", "FLAT_FACE"),
-        ("port(\"p\", \"BORE\", {})", "needs 'diameter'", "diameter, depth"),
-        ("port(\"p\", \"BORE\", {\"diameter\": 1, \"depth\": 2, \"x\": 3})", "has no 'x'", ""),
-        ("port(\"p\", \"BORE\", {\"diameter\": \"1\"})", "is a number", ""),
-        ("tapped_hole_with_port(\"t\", 6, 1, hand=\"up\")", "hand is not \"up\"", "\"left\""),
-        ("gear_mesh_port(\"g\", 2, 20, 10, pressure_angle_deg=90)", "'pressure_angle_deg'", ""),
+        (
+            "port(\"p\", \"HOLLOW\", {})",
+            "no port type 'HOLLOW'",
+            "FLAT_FACE",
+        ),
+        (
+            "port(\"p\", \"BORE\", {})",
+            "needs 'diameter'",
+            "diameter, depth",
+        ),
+        (
+            "port(\"p\", \"BORE\", {\"diameter\": 1, \"depth\": 2, \"x\": 3})",
+            "has no 'x'",
+            "",
+        ),
+        (
+            "port(\"p\", \"BORE\", {\"diameter\": \"1\"})",
+            "is a number",
+            "",
+        ),
+        (
+            "tapped_hole_with_port(\"t\", 6, 1, hand=\"up\")",
+            "hand is not \"up\"",
+            "\"left\"",
+        ),
+        (
+            "gear_mesh_port(\"g\", 2, 20, 10, pressure_angle_deg=90)",
+            "'pressure_angle_deg'",
+            "",
+        ),
         ("gear_mesh_port(\"g\", 2, 5, 10, profile_shift=1.5)", "", ""),
     ] {
         let d = fault(&format!("return cq.Workplane().{call}"));
         assert!(d.message.contains(message), "{call}: {d}");
-        assert!(d.hint.clone().unwrap_or_default().contains(hint), "{call}: {d:?}");
+        assert!(
+            d.hint.clone().unwrap_or_default().contains(hint),
+            "{call}: {d:?}"
+        );
         assert_eq!(d.place, "factory test.part:line 3");
     }
     let all = calls("return cq.Workplane().gear_mesh_port(\"g\", 2, 20, 10)");
@@ -323,41 +368,211 @@ fn ports_are_checked_as_far_as_they_are_known() {
 #[test]
 fn faults_say_the_line_and_what_to_write() {
     for (lines, line, message, hint) in [
-        ("x = 1\nreturn cqq.Workplane()", 4, "nothing of the name 'cqq'", "cq"),
-        ("return Workplane()", 3, "nothing of the name 'Workplane'", "from cadquery import"),
-        ("return cq.Workplan()", 3, "cq has no 'Workplan'", "Workplane"),
-        ("return cq.Assembly()", 3, "cq has no 'Assembly'", "one part"),
-        ("return cq.selectors.BoxSelecto()", 3, "cq.selectors has no", "BoxSelector"),
-        ("return cq.exporters.export(1, 2)", 3, "writes no files", "result"),
+        (
+            "x = 1\nreturn cqq.Workplane()",
+            4,
+            "nothing of the name 'cqq'",
+            "cq",
+        ),
+        (
+            "return Workplane()",
+            3,
+            "nothing of the name 'Workplane'",
+            "from cadquery import",
+        ),
+        (
+            "return cq.Workplan()",
+            3,
+            "cq has no 'Workplan'",
+            "Workplane",
+        ),
+        (
+            "return cq.Assembly()",
+            3,
+            "cq has no 'Assembly'",
+            "one part",
+        ),
+        (
+            "return cq.selectors.BoxSelecto()",
+            3,
+            "cq.selectors has no",
+            "BoxSelector",
+        ),
+        (
+            "return cq.exporters.export(1, 2)",
+            3,
+            "writes no files",
+            "result",
+        ),
         ("return math.sinn(1)", 3, "math has no 'sinn'", "sin"),
-        ("w = cq.Workplane()\nreturn (w\n    .box(1, 1, 1)\n    .filet(1))", 6, "a Workplane has no 'filet'", "fillet"),
-        ("w = cq.Workplane()\nreturn (w\n    .box(1, 1, 1)\n    .fillet(\"a\"))", 6, "radius is a number, not a string", "fillet(radius)"),
-        ("return cq.Workplane().circle(radius=True)", 3, "radius is a number, not a bool", ""),
-        ("return cq.Workplane().circle(None)", 3, "radius is a number, not None", ""),
-        ("return cq.Workplane().circle(raduis=1)", 3, "no parameter 'raduis'", "did you mean 'radius'?"),
-        ("return cq.Workplane().circle(1, radius=1)", 3, "given 'radius' twice", ""),
-        ("return cq.Workplane().box(1, 1)", 3, "box lacks 'height'", "box(length, width, height, centered=True"),
-        ("return cq.Workplane().polygon(6.0, 2)", 3, "nSides is a whole number, not a float", "int(x)"),
-        ("return cq.Workplane(\"XYZ\")", 3, "inPlane is not \"XYZ\"", "\"front\""),
-        ("return cq.Workplane().faces(\">Q\")", 3, "the selector '>Q' has no meaning at place 1", ""),
-        ("return cq.Workplane().faces(3)", 3, "selector is a selector", ""),
-        ("return cq.Workplane().pushPoints([(1, 2), (1, 2, 3, 4)])", 3, "pntList[1] is a tuple of 2 or 3 numbers, not of 4", ""),
-        ("return cq.Workplane().rect(1, 1, (True,))", 3, "centered is True, False or 2 of them", ""),
-        ("return cq.Workplane().extrude(1, combine=\"x\")", 3, "combine is True, False", ""),
-        ("return cq.Workplane().extrude(\"nxt\")", 3, "until is a length", ""),
-        ("return cq.Workplane().sweep((0, 1))", 3, "path is a workplane or a shape", ""),
-        ("return cq.Workplane().copyWorkplane(cq.Plane.XY())", 3, "obj is a workplane", ""),
-        ("return cq.Plane((0, 0, 0), (1, 0, 1))", 3, "right angle", "xDir"),
-        ("return cq.Location(1, \"a\")", 3, "Location does not take", "rx"),
-        ("return cq.Workplane().faces().size()", 3, "a Workplane has no 'size'", "after the script has run"),
-        ("return cq.Workplane().val().Center()", 3, "a Shape has no 'Center'", "after the script has run"),
-        ("return cq.Workplane().val().BoundingBox().zmax", 3, "'BoundingBox'", "after the script has run"),
-        ("return cq.Workplane().objects[0]", 3, "'objects'", ".item(i)"),
-        ("return cq.Workplane().text(\"a\", 1, 1)", 3, "there is no 'text'", "fonts"),
-        ("return cq.Workplane().sketch()", 3, "there is no 'sketch'", "polyline"),
-        ("for f in cq.Workplane().faces():\n    pass", 3, "a Workplane has no", ".each("),
-        ("x = len(cq.Workplane().vals())", 3, "a Shapes has no", ".each("),
-        ("return 3", 0, "build(p) returned an int and not a workplane", "return"),
+        (
+            "w = cq.Workplane()\nreturn (w\n    .box(1, 1, 1)\n    .filet(1))",
+            6,
+            "a Workplane has no 'filet'",
+            "fillet",
+        ),
+        (
+            "w = cq.Workplane()\nreturn (w\n    .box(1, 1, 1)\n    .fillet(\"a\"))",
+            6,
+            "radius is a number, not a string",
+            "fillet(radius)",
+        ),
+        (
+            "return cq.Workplane().circle(radius=True)",
+            3,
+            "radius is a number, not a bool",
+            "",
+        ),
+        (
+            "return cq.Workplane().circle(None)",
+            3,
+            "radius is a number, not None",
+            "",
+        ),
+        (
+            "return cq.Workplane().circle(raduis=1)",
+            3,
+            "no parameter 'raduis'",
+            "did you mean 'radius'?",
+        ),
+        (
+            "return cq.Workplane().circle(1, radius=1)",
+            3,
+            "given 'radius' twice",
+            "",
+        ),
+        (
+            "return cq.Workplane().box(1, 1)",
+            3,
+            "box lacks 'height'",
+            "box(length, width, height, centered=True",
+        ),
+        (
+            "return cq.Workplane().polygon(6.0, 2)",
+            3,
+            "nSides is a whole number, not a float",
+            "int(x)",
+        ),
+        (
+            "return cq.Workplane(\"XYZ\")",
+            3,
+            "inPlane is not \"XYZ\"",
+            "\"front\"",
+        ),
+        (
+            "return cq.Workplane().faces(\">Q\")",
+            3,
+            "the selector '>Q' has no meaning at place 1",
+            "",
+        ),
+        (
+            "return cq.Workplane().faces(3)",
+            3,
+            "selector is a selector",
+            "",
+        ),
+        (
+            "return cq.Workplane().pushPoints([(1, 2), (1, 2, 3, 4)])",
+            3,
+            "pntList[1] is a tuple of 2 or 3 numbers, not of 4",
+            "",
+        ),
+        (
+            "return cq.Workplane().rect(1, 1, (True,))",
+            3,
+            "centered is True, False or 2 of them",
+            "",
+        ),
+        (
+            "return cq.Workplane().extrude(1, combine=\"x\")",
+            3,
+            "combine is True, False",
+            "",
+        ),
+        (
+            "return cq.Workplane().extrude(\"nxt\")",
+            3,
+            "until is a length",
+            "",
+        ),
+        (
+            "return cq.Workplane().sweep((0, 1))",
+            3,
+            "path is a workplane or a shape",
+            "",
+        ),
+        (
+            "return cq.Workplane().copyWorkplane(cq.Plane.XY())",
+            3,
+            "obj is a workplane",
+            "",
+        ),
+        (
+            "return cq.Plane((0, 0, 0), (1, 0, 1))",
+            3,
+            "right angle",
+            "xDir",
+        ),
+        (
+            "return cq.Location(1, \"a\")",
+            3,
+            "Location does not take",
+            "rx",
+        ),
+        (
+            "return cq.Workplane().faces().size()",
+            3,
+            "a Workplane has no 'size'",
+            "after the script has run",
+        ),
+        (
+            "return cq.Workplane().val().Center()",
+            3,
+            "a Shape has no 'Center'",
+            "after the script has run",
+        ),
+        (
+            "return cq.Workplane().val().BoundingBox().zmax",
+            3,
+            "'BoundingBox'",
+            "after the script has run",
+        ),
+        (
+            "return cq.Workplane().objects[0]",
+            3,
+            "'objects'",
+            ".item(i)",
+        ),
+        (
+            "return cq.Workplane().text(\"a\", 1, 1)",
+            3,
+            "there is no 'text'",
+            "fonts",
+        ),
+        (
+            "return cq.Workplane().sketch()",
+            3,
+            "there is no 'sketch'",
+            "polyline",
+        ),
+        (
+            "for f in cq.Workplane().faces():\n    pass",
+            3,
+            "a Workplane has no",
+            ".each(",
+        ),
+        (
+            "x = len(cq.Workplane().vals())",
+            3,
+            "a Shapes has no",
+            ".each(",
+        ),
+        (
+            "return 3",
+            0,
+            "build(p) returned an int and not a workplane",
+            "return",
+        ),
         ("return p.b", 3, "b", ""),
         ("x = [1][3]\n", 3, "3", ""),
         ("x = math.sqrt(-1)", 3, "no finite value", ""),
@@ -367,10 +582,17 @@ fn faults_say_the_line_and_what_to_write() {
         let d = fault(lines);
         assert_eq!(d.code, Code::FactoryFailed, "{lines}: {d}");
         if line > 0 {
-            assert_eq!(d.place, format!("factory test.part:line {line}"), "{lines}: {d}");
+            assert_eq!(
+                d.place,
+                format!("factory test.part:line {line}"),
+                "{lines}: {d}"
+            );
         }
         assert!(d.message.contains(message), "{lines}: {d}");
-        assert!(d.hint.clone().unwrap_or_default().contains(hint), "{lines}: {d:?}");
+        assert!(
+            d.hint.clone().unwrap_or_default().contains(hint),
+            "{lines}: {d:?}"
+        );
     }
 }
 
@@ -399,11 +621,20 @@ fn what_python_has_and_starlark_lacks_is_answered_at_its_line() {
         ("x = sin(1)", "math.sin"),
         ("x = map(1, 2)", "for x in items"),
         ("x = f\"{1:x}\"", "{x:.2f}"),
-        ("if __name__ == \"__main__\":\n    pass", "leave the condition out"),
+        (
+            "if __name__ == \"__main__\":\n    pass",
+            "leave the condition out",
+        ),
     ] {
         let d = fault(lines);
-        assert!(d.place.starts_with("factory test.part:line "), "{lines}: {d}");
-        assert!(d.hint.clone().unwrap_or_default().contains(hint), "{lines}: {d:?}");
+        assert!(
+            d.place.starts_with("factory test.part:line "),
+            "{lines}: {d}"
+        );
+        assert!(
+            d.hint.clone().unwrap_or_default().contains(hint),
+            "{lines}: {d:?}"
+        );
     }
     let found = factory("while 1:\n  x = 2 ** 3\nassert 1\n").unwrap_err();
     let places: Vec<&str> = found.iter().map(|d| d.place.as_str()).collect();
@@ -489,28 +720,66 @@ fn vectors_planes_and_locations_are_pure() {
         ((1, 0, 0), [0.0, 0.0, 1.0]),
         ((0, 1, 0), [0.0, 0.0, 1.0]),
         ((0, -1, 0), [0.0, 0.0, -1.0]),
-        ((1, 2, 3), [0.0, 0.832_050_294_337_843_7, -0.554_700_196_225_229_1]),
-        ((3, -2, 1), [0.554_700_196_225_229_1, 0.832_050_294_337_843_7, 0.0]),
-        ((-2, 3, 1), [0.832_050_294_337_843_7, 0.554_700_196_225_229_1, 0.0]),
-        ((1, 1, 1), [0.707_106_781_186_547_6, 0.0, -0.707_106_781_186_547_6]),
-        ((0, 1, 1), [0.0, 0.707_106_781_186_547_6, -0.707_106_781_186_547_6]),
+        (
+            (1, 2, 3),
+            [0.0, 0.832_050_294_337_843_7, -0.554_700_196_225_229_1],
+        ),
+        (
+            (3, -2, 1),
+            [0.554_700_196_225_229_1, 0.832_050_294_337_843_7, 0.0],
+        ),
+        (
+            (-2, 3, 1),
+            [0.832_050_294_337_843_7, 0.554_700_196_225_229_1, 0.0],
+        ),
+        (
+            (1, 1, 1),
+            [0.707_106_781_186_547_6, 0.0, -0.707_106_781_186_547_6],
+        ),
+        (
+            (0, 1, 1),
+            [0.0, 0.707_106_781_186_547_6, -0.707_106_781_186_547_6],
+        ),
     ] {
-        let all = calls(&format!("return cq.Workplane(cq.Plane((0, 0, 0), None, {normal:?}))"));
+        let all = calls(&format!(
+            "return cq.Workplane(cq.Plane((0, 0, 0), None, {normal:?}))"
+        ));
         near(&all[0]["args"]["inPlane"]["x"], x);
     }
     // Columns x and z and the translation, as CadQuery 2.8 gives them.
     for (text, x, z, at) in [
         (
             "cq.Location(1, 2, 3, 10, 20, 30)",
-            [0.813_797_681_349_373_7, 0.469_846_310_392_954_16, -0.342_020_143_325_668_7],
-            [0.378_522_306_369_792_5, 0.018_028_311_236_297_28, 0.925_416_578_398_323_4],
+            [
+                0.813_797_681_349_373_7,
+                0.469_846_310_392_954_16,
+                -0.342_020_143_325_668_7,
+            ],
+            [
+                0.378_522_306_369_792_5,
+                0.018_028_311_236_297_28,
+                0.925_416_578_398_323_4,
+            ],
             [1.0, 2.0, 3.0],
         ),
-        ("cq.Location((1, 2, 3), (90, 0, 90))", [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [1.0, 2.0, 3.0]),
+        (
+            "cq.Location((1, 2, 3), (90, 0, 90))",
+            [0.0, 1.0, 0.0],
+            [1.0, 0.0, 0.0],
+            [1.0, 2.0, 3.0],
+        ),
         (
             "cq.Location((1, 2, 3), (1, 1, 0), 33)",
-            [0.919_335_283_972_712, 0.080_664_716_027_287_99, -0.385_117_954_958_023_2],
-            [0.385_117_954_958_023_2, -0.385_117_954_958_023_2, 0.838_670_567_945_424],
+            [
+                0.919_335_283_972_712,
+                0.080_664_716_027_287_99,
+                -0.385_117_954_958_023_2,
+            ],
+            [
+                0.385_117_954_958_023_2,
+                -0.385_117_954_958_023_2,
+                0.838_670_567_945_424,
+            ],
             [1.0, 2.0, 3.0],
         ),
         (
@@ -521,15 +790,39 @@ fn vectors_planes_and_locations_are_pure() {
         ),
         (
             "cq.Location(1, 2, 3, 10, 20, 30) * cq.Location((4, 5, 6), (0, 0, 1), 45)",
-            [0.263_629_257_093_160_76, 0.956_298_585_754_581_7, -0.126_461_969_335_824_82],
-            [0.378_522_306_369_792_5, 0.018_028_311_236_297_28, 0.925_416_578_398_323_4],
-            [4.321_476_510_966_837, 8.400_375_705_286_528, 8.000_298_452_919_939],
+            [
+                0.263_629_257_093_160_76,
+                0.956_298_585_754_581_7,
+                -0.126_461_969_335_824_82,
+            ],
+            [
+                0.378_522_306_369_792_5,
+                0.018_028_311_236_297_28,
+                0.925_416_578_398_323_4,
+            ],
+            [
+                4.321_476_510_966_837,
+                8.400_375_705_286_528,
+                8.000_298_452_919_939,
+            ],
         ),
         (
             "cq.Location(1, 2, 3, 10, 20, 30).inverse",
-            [0.813_797_681_349_373_7, -0.440_969_610_529_882_4, 0.378_522_306_369_792_5],
-            [-0.342_020_143_325_668_7, 0.163_175_911_166_534_82, 0.925_416_578_398_323_4],
-            [-0.727_429_872_158_275_7, -1.813_686_361_488_493_3, -3.190_828_664_037_357_3],
+            [
+                0.813_797_681_349_373_7,
+                -0.440_969_610_529_882_4,
+                0.378_522_306_369_792_5,
+            ],
+            [
+                -0.342_020_143_325_668_7,
+                0.163_175_911_166_534_82,
+                0.925_416_578_398_323_4,
+            ],
+            [
+                -0.727_429_872_158_275_7,
+                -1.813_686_361_488_493_3,
+                -3.190_828_664_037_357_3,
+            ],
         ),
     ] {
         let all = calls(&format!("return cq.Workplane().val().moved({text})"));
@@ -551,7 +844,10 @@ fn vectors_planes_and_locations_are_pure() {
 fn near(found: &Value, expected: [f64; 3]) {
     for (found, expected) in found.as_array().unwrap().iter().zip(expected) {
         let found = found.as_f64().unwrap();
-        assert!((found - expected).abs() < 1e-14, "{found} and not {expected}");
+        assert!(
+            (found - expected).abs() < 1e-14,
+            "{found} and not {expected}"
+        );
     }
 }
 
@@ -572,7 +868,10 @@ fn plain_scripts_leave_a_result() {
         ("x = 1\n", "leaves no `result`"),
         ("result = 3\n", "`result` is an int"),
         ("show_object(3)\n", "show_object takes a workplane"),
-        ("factory(doc = \"\", params = {})\n", "does not call factory"),
+        (
+            "factory(doc = \"\", params = {})\n",
+            "does not call factory",
+        ),
     ] {
         let found = script("plain", source).unwrap_err();
         assert!(found[0].message.contains(message), "{source}: {found:?}");
@@ -658,11 +957,14 @@ fn the_same_source_and_parameters_give_the_same_hash() {
 fn recipes_read_back_from_text() {
     // The interpreter turns on serde_json's "arbitrary_precision" for everything it is linked with,
     // under which some shapes of data no longer read back.
-    let recipe = run("return cq.Workplane().box(1, 2.5, 1e-7).faces(\">Z or <Z\").cut(cq.Workplane().sphere(3))").recipe;
+    let recipe = run(
+        "return cq.Workplane().box(1, 2.5, 1e-7).faces(\">Z or <Z\").cut(cq.Workplane().sphere(3))",
+    )
+    .recipe;
     let text = serde_json::to_string(&recipe).unwrap();
     let back: assemcad_model::recipe::Recipe = serde_json::from_str(&text).unwrap();
     assert_eq!(back, recipe);
     assert_eq!(back.hash().unwrap(), recipe.hash().unwrap());
 }
 
-const GOLDEN: &str = "";
+const GOLDEN: &str = "3ebef7dca1232f9937802147f503bca3df5ee537f69d8ec12fb0909622457e5e";

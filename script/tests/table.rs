@@ -27,7 +27,10 @@ fn sample(kind: Kind, name: &str) -> (String, Value) {
         Kind::Text => written("\"a_name\"", json!("a_name")),
         Kind::Choice(choices) => (format!("{:?}", choices[0]), json!(choices[0])),
         Kind::Vector => written("(1, 2)", json!([1.0, 2.0, 0.0])),
-        Kind::Vectors => written("[(1, 2), cq.Vector(3, 4, 5)]", json!([[1.0, 2.0, 0.0], [3.0, 4.0, 5.0]])),
+        Kind::Vectors => written(
+            "[(1, 2), cq.Vector(3, 4, 5)]",
+            json!([[1.0, 2.0, 0.0], [3.0, 4.0, 5.0]]),
+        ),
         Kind::MaybeVectors => written("[(1, 2), None]", json!([[1.0, 2.0, 0.0], null])),
         Kind::Reals => written("(1, 2.5)", json!([1.0, 2.5])),
         Kind::Flags2 => written("(True, False)", json!([true, false])),
@@ -145,7 +148,10 @@ fn misuse_of_every_method_is_answered() {
             script("table", &source)
         };
         let unknown = call("nonsense=1").unwrap_err().remove(0);
-        assert!(unknown.message.contains("no parameter 'nonsense'"), "{unknown}");
+        assert!(
+            unknown.message.contains("no parameter 'nonsense'"),
+            "{unknown}"
+        );
         assert_eq!(unknown.place, "factory table:line 2");
         assert!(unknown.hint.unwrap().contains(&format!("{}(", m.short())));
         let many = call(&["1"; 20].join(", ")).unwrap_err().remove(0);
@@ -170,7 +176,15 @@ fn misuse_of_every_method_is_answered() {
                         Kind::Solid | Kind::Solids | Kind::PerLocation | Kind::Until => "w".into(),
                         kind => sample(kind, p.name).0,
                     };
-                    format!("{}={}", p.name, if p.kind == Kind::Until { "1".into() } else { text })
+                    format!(
+                        "{}={}",
+                        p.name,
+                        if p.kind == Kind::Until {
+                            "1".into()
+                        } else {
+                            text
+                        }
+                    )
                 })
                 .collect();
             args.push(format!("{}={{}}", param.name));

@@ -58,7 +58,7 @@ impl<'v> Given<'v> {
                     None => shown(),
                 };
                 return Err(
-                    Fault::new(format!("{name} has no parameter '{}'", clip(word))).hint(hint)
+                    Fault::new(format!("{name} has no parameter '{}'", clip(word))).hint(hint),
                 );
             };
             if slot.is_some() {

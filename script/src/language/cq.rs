@@ -192,7 +192,9 @@ fn make<'v>(
                 .hint("leave the solid in `result`: the program that runs the script exports it"));
         }
         _ => {
-            return Err(Fault::new(format!("cq.{path} is nothing that can be called")));
+            return Err(Fault::new(format!(
+                "cq.{path} is nothing that can be called"
+            )));
         }
     };
     match short {
@@ -396,7 +398,10 @@ fn location(given: &Given<'_>) -> Result<Location, Fault> {
         ),
         _ => {
             let kinds: Vec<String> = values.iter().map(|v| kind_of(*v)).collect();
-            Err(wrong(format!("Location does not take {}", kinds.join(", "))))
+            Err(wrong(format!(
+                "Location does not take {}",
+                kinds.join(", ")
+            )))
         }
     }
 }

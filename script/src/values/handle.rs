@@ -179,7 +179,10 @@ fn member<'v>(
     // Of shapes the list is that of a chain's stack.
     let (on, shapes) = match kind {
         "Workplane" => (Some(node.index), false),
-        "Shapes" => (node.recorder.get().call(node.index).and_then(|c| c.on), true),
+        "Shapes" => (
+            node.recorder.get().call(node.index).and_then(|c| c.on),
+            true,
+        ),
         _ => (None, false),
     };
     let Some(on) = on else {

@@ -156,12 +156,7 @@ impl<'v> StarlarkValue<'v> for Selector {
     }
 }
 
-fn join<'v>(
-    a: &Selector,
-    b: Value<'v>,
-    how: Join,
-    heap: Heap<'v>,
-) -> starlark::Result<Value<'v>> {
+fn join<'v>(a: &Selector, b: Value<'v>, how: Join, heap: Heap<'v>) -> starlark::Result<Value<'v>> {
     a.joined(b, how).map(|s| heap.alloc(s)).map_err(native)
 }
 
