@@ -2,10 +2,10 @@
 
 use core::fmt::Write as _;
 
-use assemcad_model::language::{Method, Type, method, methods};
+use assemcad_model::language::{Default, Method, Type, method, methods};
 
 use crate::language::bind::signature;
-use crate::language::call::shown;
+use crate::language::call::params;
 use crate::language::cq::OWN;
 
 /// What a factory is.
@@ -29,6 +29,13 @@ A factory:
 `require(condition, message)` states a rule between parameters, `fail(message)` refuses them. A plain
 script has neither factory nor build and leaves its part in `result`. Chains keep their pending wires and
 tags as in CadQuery. + | unite, - cuts, * & intersect, / splits.
+"#;
+
+const WORKPLANE: &str = r#"
+## Workplane
+Everything with a default is best given by name. Not repeated below: `forConstruction=False` of what draws,
+`clean=True`, `tol=None`, `tag=None` of what selects, and `combine=True` of what makes solids (True or "a"
+joins the chain's solid, "s" or "cut" cuts it, False stands alone).
 "#;
 
 const PORTS: &str = "
@@ -58,28 +65,16 @@ abs, any, all, int, float, sum, round, pow, divmod, and of math: "#;
 #[must_use]
 pub fn reference() -> String {
     let mut page = String::from(FACTORY);
-    page.push_str("\n## Workplane\n");
-    if let Some(new) = method("Workplane") {
-        line(&mut page, new, &format!("cq.{}", shown(new)));
-    }
+    page.push_str(WORKPLANE);
     let on = |kind: Type| methods().filter(move |m| m.on == Some(kind) && m.name.contains('.'));
     let (ports, others): (Vec<_>, Vec<_>) =
         on(Type::Workplane).partition(|m| m.name.contains("port"));
-    for method in others {
-        line(&mut page, method, &format!(".{}", shown(method)));
-    }
+    list(&mut page, method("Workplane").into_iter().chain(others));
     page.push_str(PORTS);
-    for method in ports {
-        line(&mut page, method, &format!(".{}", shown(method)));
-    }
+    list(&mut page, ports.into_iter());
     page.push_str("\n## Shapes (from .val(), or made directly)\n");
-    for method in on(Type::Shape) {
-        line(&mut page, method, &format!(".{}", shown(method)));
-    }
-    for method in methods().filter(|m| m.on.is_none() && m.name.contains('.')) {
-        let called = signature(method.name, method.params);
-        line(&mut page, method, &format!("cq.{called}"));
-    }
+    let made = methods().filter(|m| m.on.is_none() && m.name.contains('.'));
+    list(&mut page, on(Type::Shape).chain(made));
     page.push_str("\n## Values\n");
     page.push_str(
         "cq.Vector(x, y, z): .x .y .z .Length add sub multiply cross dot normalized toTuple, + - *\n\
@@ -89,12 +84,14 @@ pub fn reference() -> String {
         .iter()
         .filter(|(n, p)| !n.contains("Sel") && !p.is_empty())
     {
-        let _ = writeln!(page, "cq.{}", signature(name, params));
+        let _ = writeln!(page, "cq.{}", signature(name, params.iter()));
     }
     page.push_str(SELECTORS);
     let selectors: Vec<String> = OWN
         .iter()
-        .filter_map(|(name, params)| Some(signature(name.strip_prefix("selectors.")?, params)))
+        .filter_map(|(name, params)| {
+            Some(signature(name.strip_prefix("selectors.")?, params.iter()))
+        })
         .collect();
     let _ = writeln!(page, "{}", selectors.join(", "));
     page.push_str(LACKS);
@@ -103,16 +100,44 @@ pub fn reference() -> String {
     page
 }
 
-fn line(page: &mut String, method: &Method, called: &str) {
-    let gives = match method.gives {
-        Type::Workplane => "",
-        _ if method.on.is_none() => "",
-        Type::Shape if method.on == Some(Type::Shape) => "",
-        Type::Shape => " -> shape",
-        Type::Shapes => " -> shapes",
-        Type::Location => " -> location",
-    };
-    let _ = writeln!(page, "{called}{gives}: {}", method.doc);
+/// Parameters that many methods have, each with the default that goes without saying.
+const COMMON: [(&str, Default); 5] = [
+    ("clean", Default::Flag(true)),
+    ("combine", Default::Flag(true)),
+    ("forConstruction", Default::Flag(false)),
+    ("tag", Default::None),
+    ("tol", Default::None),
+];
+
+/// Shorter lines of documentation say no more than the name does.
+const SHORTEST_DOC: usize = 34;
+
+/// Writes methods; those that need no word stand together at the end.
+fn list<'a>(page: &mut String, methods: impl Iterator<Item = &'a Method>) {
+    let mut plain = Vec::new();
+    for method in methods {
+        let name = match method.on {
+            Some(_) => format!(".{}", method.short()),
+            None => format!("cq.{}", method.name),
+        };
+        let params = params(method)
+            .iter()
+            .filter(|p| !COMMON.contains(&(p.name, p.default)));
+        let called = signature(&name, params);
+        let gives = match (method.on, method.gives) {
+            (Some(Type::Workplane), Type::Shape) => " -> shape",
+            (Some(Type::Workplane), Type::Shapes) => " -> shapes",
+            _ => "",
+        };
+        if method.doc.len() < SHORTEST_DOC {
+            plain.push(format!("{called}{gives}"));
+        } else {
+            let _ = writeln!(page, "{called}{gives}: {}", method.doc);
+        }
+    }
+    if !plain.is_empty() {
+        let _ = writeln!(page, "And {}", plain.join(", "));
+    }
 }
 
 #[cfg(test)]
@@ -130,7 +155,7 @@ mod tests {
                 method.name
             );
         }
-        assert!(page.len() < 16_000, "{}", page.len());
+        assert!(page.len() < 13_000, "{}", page.len());
     }
 
     #[test]

@@ -189,13 +189,13 @@ impl Compared {
             | Token::GreaterThan
             | Token::GreaterEqual
             | Token::EqualEqual
-            | Token::BangEqual => {
-                if core::mem::replace(self.here(), true) {
-                    return Some(
-                        Fault::new("there are no chained comparisons")
-                            .hint("write `0 < x and x < 5` for `0 < x < 5`"),
-                    );
-                }
+            | Token::BangEqual
+                if core::mem::replace(self.here(), true) =>
+            {
+                return Some(
+                    Fault::new("there are no chained comparisons")
+                        .hint("write `0 < x and x < 5` for `0 < x < 5`"),
+                );
             }
             Token::OpeningRound | Token::OpeningSquare | Token::OpeningCurly => {
                 self.open.push(false);

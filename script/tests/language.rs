@@ -732,14 +732,8 @@ fn vectors_planes_and_locations_are_pure() {
             (-2, 3, 1),
             [0.832_050_294_337_843_7, 0.554_700_196_225_229_1, 0.0],
         ),
-        (
-            (1, 1, 1),
-            [0.707_106_781_186_547_6, 0.0, -0.707_106_781_186_547_6],
-        ),
-        (
-            (0, 1, 1),
-            [0.0, 0.707_106_781_186_547_6, -0.707_106_781_186_547_6],
-        ),
+        ((1, 1, 1), [HALF, 0.0, -HALF]),
+        ((0, 1, 1), [0.0, HALF, -HALF]),
     ] {
         let all = calls(&format!(
             "return cq.Workplane(cq.Plane((0, 0, 0), None, {normal:?}))"
@@ -839,6 +833,9 @@ fn vectors_planes_and_locations_are_pure() {
         assert!(loc[n].as_array().unwrap().iter().all(exact), "{loc}");
     }
 }
+
+/// The root of a half.
+const HALF: f64 = core::f64::consts::FRAC_1_SQRT_2;
 
 #[track_caller]
 fn near(found: &Value, expected: [f64; 3]) {

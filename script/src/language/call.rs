@@ -78,8 +78,8 @@ pub(crate) fn params(method: &Method) -> &'static [Param] {
 }
 
 /// How a method is called.
-pub(crate) fn shown(method: &Method) -> String {
-    signature(method.short(), params(method))
+fn shown(method: &Method) -> String {
+    signature(method.short(), params(method).iter())
 }
 
 /// `split(other)`, which CadQuery has beside `split(keepTop, keepBottom)`.
