@@ -102,10 +102,14 @@ impl Recorder {
     }
 }
 
-/// How many pieces an argument holds: members of long lists and pieces of long texts.
+/// How many pieces an argument holds: members of long lists, parts of selectors and outlines, and
+/// stretches of long texts.
 fn pieces(value: &Json) -> usize {
     match value {
         Json::String(text) => text.len() / 64,
+        Json::Array(items) if items.iter().any(Json::is_object) => {
+            items.iter().map(|item| 1 + pieces(item)).sum()
+        }
         Json::Array(items) if items.len() > 3 || items.iter().any(Json::is_array) => items.len(),
         Json::Object(fields) => fields.values().map(pieces).sum(),
         _ => 0,

@@ -3,6 +3,7 @@
 use core::fmt::Write as _;
 
 use assemcad_model::language::{Default, Method, Type, method, methods};
+use assemcad_model::ports::ALL;
 
 use crate::language::bind::signature;
 use crate::language::call::params;
@@ -72,6 +73,21 @@ pub fn reference() -> String {
     list(&mut page, method("Workplane").into_iter().chain(others));
     page.push_str(PORTS);
     list(&mut page, ports.into_iter());
+    let types: Vec<String> = ALL
+        .iter()
+        .map(|kind| {
+            let names: Vec<String> = kind
+                .params
+                .iter()
+                .map(|p| match p.optional {
+                    Some(default) => format!("{}={default}", p.name),
+                    None => p.name.to_owned(),
+                })
+                .collect();
+            format!("{}({})", kind.name, names.join(", "))
+        })
+        .collect();
+    let _ = writeln!(page, "Types of ports and their params: {}.", types.join(", "));
     page.push_str("\n## Shapes (from .val(), or made directly)\n");
     let made = methods().filter(|m| m.on.is_none() && m.name.contains('.'));
     list(&mut page, on(Type::Shape).chain(made));
@@ -155,7 +171,7 @@ mod tests {
                 method.name
             );
         }
-        assert!(page.len() < 13_000, "{}", page.len());
+        assert!(page.len() < 13_500, "{}", page.len());
     }
 
     #[test]

@@ -237,6 +237,10 @@ fn long_loops() {
         "limit pieces",
     );
     refused(
+        "t = cq.selectors.TypeSelector(\"LINE\")\nfor i in range(6):\n    t = t + t\nw = cq.Workplane()\nfor i in range(9000):\n    w.edges(t)",
+        "limit pieces",
+    );
+    refused(
         "t = \"t\" * 60000\nw = cq.Workplane()\nfor i in range(1000):\n    w.tag(t)",
         "limit pieces",
     );
