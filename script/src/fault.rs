@@ -226,6 +226,8 @@ fn other(text: &str, limits: &Limits) -> Fault {
         too_many_ticks(limits)
     } else if text.starts_with("Evaluation cancelled") {
         too_long(limits)
+    } else if text.contains("type annotation") || text.contains("is implemented only for") {
+        Fault::new("this type has no meaning here").hint("leave the type out")
     } else if text.contains("recursion level") {
         Fault::new("values are nested too deeply").hint("keep lists and dicts flat")
     } else {

@@ -621,6 +621,7 @@ fn what_python_has_and_starlark_lacks_is_answered_at_its_line() {
         ("x = sin(1)", "math.sin"),
         ("x = map(1, 2)", "for x in items"),
         ("x = f\"{1:x}\"", "{x:.2f}"),
+        ("def f(x: tuple[int, int]):\n    pass", "leave the type out"),
         (
             "if __name__ == \"__main__\":\n    pass",
             "leave the condition out",
@@ -662,6 +663,8 @@ fn ordinary_python_works() {
          \x20   floor,  # a comment\n\
          \x20   pi as half_turn,\n\
          )\n\
+         def same(w: cq.Workplane, v: cq.Vector = cq.Vector(1, 2)) -> cq.Workplane:\n\
+         \x20   return w\n\
          def area(w: float, h = 2, *, scale = 1) -> float:\n\
          \x20   \"\"\"Area.\"\"\"\n\
          \x20   return w * h * scale\n\
@@ -681,7 +684,7 @@ fn ordinary_python_works() {
          \x20   fail(\"rounding\")\n\
          if math.hypot(2, 3, 6) != 7 or not math.isclose(math.tau, 2 * half_turn) or math.gcd(12, 18) != 6:\n\
          \x20   fail(\"math\")\n\
-         return cad.Workplane().box(area(3, scale = 2), sum(xs), round(pow(2, 3)) + floor(1.5))",
+         return same(cad.Workplane()).box(area(3, scale = 2), sum(xs), round(pow(2, 3)) + floor(1.5))",
     );
     let args = &all[1]["args"];
     assert_eq!(

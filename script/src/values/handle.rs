@@ -16,6 +16,7 @@ use assemcad_model::language::{Method, Type, method, methods};
 use assemcad_model::recipe::Ref;
 use starlark::eval::{Arguments, Evaluator};
 use starlark::starlark_simple_value;
+use starlark::typing::Ty;
 use starlark::values::{
     Heap, NoSerialize, ProvidesStaticType, StarlarkPagablePanic, StarlarkValue, Value,
     starlark_value,
@@ -221,6 +222,10 @@ impl fmt::Display for Function {
 
 #[starlark_value(type = "method")]
 impl<'v> StarlarkValue<'v> for Function {
+    // `-> cq.Workplane` may be written and means nothing.
+    fn eval_type(&self) -> Option<Ty> {
+        Some(Ty::any())
+    }
     fn invoke(
         &self,
         _me: Value<'v>,

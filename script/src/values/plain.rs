@@ -14,6 +14,7 @@ use allocative::Allocative;
 use assemcad_model::{language, selector};
 use starlark::eval::{Arguments, Evaluator};
 use starlark::starlark_simple_value;
+use starlark::typing::Ty;
 use starlark::values::{
     Heap, NoSerialize, ProvidesStaticType, StarlarkPagablePanic, StarlarkValue, Value,
     starlark_value,
@@ -194,6 +195,10 @@ impl fmt::Display for Item {
 
 #[starlark_value(type = "cq")]
 impl<'v> StarlarkValue<'v> for Item {
+    // `-> cq.Vector` may be written and means nothing.
+    fn eval_type(&self) -> Option<Ty> {
+        Some(Ty::any())
+    }
     fn get_attr(&self, name: &str, heap: Heap<'v>) -> Option<Value<'v>> {
         cq::attribute(self.path, name, heap)
     }
