@@ -87,7 +87,11 @@ pub fn reference() -> String {
             format!("{}({})", kind.name, names.join(", "))
         })
         .collect();
-    let _ = writeln!(page, "Types of ports and their params: {}.", types.join(", "));
+    let _ = writeln!(
+        page,
+        "Types of ports and their params: {}.",
+        types.join(", ")
+    );
     page.push_str("\n## Shapes (from .val(), or made directly)\n");
     let made = methods().filter(|m| m.on.is_none() && m.name.contains('.'));
     list(&mut page, on(Type::Shape).chain(made));
