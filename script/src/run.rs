@@ -167,7 +167,7 @@ impl Job {
             return Err(all(faults));
         }
         let lines = Lines(crate::scan::calls(&source, &dialect));
-        let session = Session::new(&self.limits, lines);
+        let session = Session::new(&self.limits, lines, &source);
         let one = |e: &starlark::Error| {
             vec![fault::diagnostic(
                 &self.name,
@@ -249,8 +249,7 @@ impl<'e, F: Fn() -> bool> BeforeStmtFuncDyn<'e> for Watch<F> {
         eval: &mut Evaluator<'v, '_, 'e>,
     ) -> starlark::Result<()> {
         self.statements += 1;
-        let line = fault::line_at(&span.to_file_span());
-        self.recorder.get().statement = line.unwrap_or(0);
+        self.recorder.get().statement = span.span.begin().get();
         let fault = if self.statements > self.limits.statements {
             Fault::new(format!(
                 "more than {} statements are carried out (limit statements)",
@@ -264,7 +263,7 @@ impl<'e, F: Fn() -> bool> BeforeStmtFuncDyn<'e> for Watch<F> {
         } else {
             return Ok(());
         };
-        let fault = match line {
+        let fault = match fault::line_at(&span.to_file_span()) {
             Some(line) => fault.line(line),
             None => fault,
         };
