@@ -205,7 +205,7 @@ fn syntax(text: &str) -> Fault {
 fn unknown_name(text: &str) -> Fault {
     let wanted = text.split('`').nth(1).unwrap_or_default();
     let fault = Fault::new(format!("there is nothing of the name '{}'", clip(wanted)));
-    if let Some(hint) = crate::scan::name_hint(wanted) {
+    if let Some(hint) = crate::hints::name_hint(wanted) {
         return fault.hint(hint);
     }
     match assemcad_model::name::nearest(wanted, crate::language::names(), 3).as_slice() {

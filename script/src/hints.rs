@@ -1,4 +1,5 @@
-//! What to write instead of a method that cannot be there: the script only records.
+//! What to write instead: of names that Python has, and of methods that cannot be there because the
+//! script only records.
 
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
@@ -175,5 +176,29 @@ fn unsupported(operation: &str, kind: &str) -> Option<Fault> {
         _ => fault.hint(
             "how many objects there are is known only after the script has run: use .item(i), .first(), .last() or .each(lambda o: ...)",
         ),
+    })
+}
+
+/// What to write instead of a name that Python has.
+pub(crate) fn name_hint(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "isinstance" | "issubclass" => "write `type(x) == \"list\"`",
+        "map" | "filter" => "write `[f(x) for x in items]`, with `if` to choose",
+        "set" | "frozenset" => "write a dict with the members as keys",
+        "open" | "input" | "exec" | "eval" | "compile" => "a script reaches nothing outside itself",
+        "Workplane" | "Vector" | "Plane" | "Location" | "Solid" | "Edge" | "Wire" | "Compound" => {
+            "it is behind cq: write cq.Workplane(\"XY\") and so on, or `from cadquery import Workplane`"
+        }
+        "pi" | "sin" | "cos" | "tan" | "sqrt" | "atan2" | "radians" | "degrees" | "floor"
+        | "ceil" => "it is in math: write math.pi, math.sin(x) and so on",
+        "Exception" | "ValueError" | "TypeError" | "RuntimeError" => "write `fail(message)`",
+        "true" => "write `True`",
+        "false" => "write `False`",
+        "null" | "none" => "write `None`",
+        "self" => "there are no classes: write functions",
+        "np" | "numpy" => "write lists, `for`, and math.sin(x) and so on",
+        "exporters" | "importers" => "a script reads and writes no files",
+        "format" => "write `\"bore %s leaves no wall\" % d`",
+        _ => return None,
     })
 }

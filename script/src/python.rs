@@ -123,7 +123,7 @@ fn fstring(
 ) {
     let mut edit = |from: usize, text: String| {
         // What stands in a form was read as tokens too.
-        edits.retain(|e: &Edit| e.from < from);
+        while edits.pop_if(|e: &mut Edit| e.from >= from).is_some() {}
         edits.push(Edit { from, to, text });
     };
     match token {
