@@ -163,8 +163,16 @@ impl Workshop {
             run.end(verdict, String::new(), faults);
             Stopped
         };
-        let resolved = resolve::assembly(&self.registry, spec)
-            .map_err(|faults| stop(run, Verdict::Fail, faults))?;
+        let resolved = match resolve::assembly(self, spec).await {
+            Ok(resolved) => resolved,
+            Err(faults) => {
+                // What the kernel could not make had a recipe: that is the next stage's failure.
+                if faults.iter().all(of_kernel) {
+                    run.end(Verdict::Pass, "every part has a recipe".to_owned(), Vec::new());
+                }
+                return Err(stop(run, verdict_of(&faults), faults));
+            }
+        };
         run.end(Verdict::Pass, recipes(&resolved), Vec::new());
 
         let mut built: Vec<Option<Built>> = Vec::new();
@@ -281,6 +289,19 @@ fn recipes(resolved: &Resolved) -> String {
     factories.sort_unstable();
     factories.dedup();
     format!("{} factories: {}", factories.len(), factories.join(", "))
+}
+
+/// Whether the kernel or its worker said this, and not the specification's own check.
+fn of_kernel(d: &Diagnostic) -> bool {
+    matches!(
+        d.code,
+        Code::KernelFailed
+            | Code::WorkerCrashed
+            | Code::WorkerTimeout
+            | Code::WorkerCpuLimit
+            | Code::WorkerMemoryLimit
+            | Code::WorkerFailed
+    )
 }
 
 /// A refused geometry is wrong; a worker that was lost leaves the question open.
