@@ -7,4 +7,4 @@ mod builtin;
 mod registry;
 
 pub use assemcad_script::{Evaluated, Factory};
-pub use registry::{Described, Registry, is_valid_name};
+pub use registry::{Registry, is_valid_name};

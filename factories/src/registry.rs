@@ -7,10 +7,8 @@ use std::sync::{Arc, LazyLock, Mutex, PoisonError};
 use assemcad_model::canonical;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name;
-use assemcad_model::param::{ParamSpec, clip};
-use assemcad_model::ports::Port;
+use assemcad_model::param::clip;
 use assemcad_script::{Evaluated, Factory};
-use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use crate::builtin;
@@ -32,23 +30,6 @@ pub struct Registry {
 #[derive(Debug, Default)]
 struct Kept {
     results: BTreeMap<(String, Vec<u8>), Arc<Evaluated>>,
-}
-
-/// What there is to know about a factory.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Described {
-    /// Name.
-    pub name: String,
-    /// What it makes, its frame and its ports.
-    pub doc: String,
-    /// The parameters in order of declaration.
-    pub params: Vec<ParamSpec>,
-    /// The JSON Schema of the parameters.
-    pub schema: Value,
-    /// The ports at the default parameters, in the part's frame.
-    pub ports: Vec<Port>,
-    /// SHA-256 of the source.
-    pub source_sha256: String,
 }
 
 /// Whether a text may name a factory: `NAMESPACE.NAME`, both valid names.
@@ -252,23 +233,6 @@ impl Registry {
     fn kept(&self) -> std::sync::MutexGuard<'_, Kept> {
         // Nothing leaves the map half changed, so one that a panic left behind is good.
         self.kept.lock().unwrap_or_else(PoisonError::into_inner)
-    }
-
-    /// What there is to know about a factory.
-    ///
-    /// # Errors
-    /// An unknown factory, or one that cannot be built at its own defaults.
-    pub fn describe(&self, name: &str) -> Result<Described, Vec<Diagnostic>> {
-        let factory = self.get(name).map_err(|d| vec![*d])?;
-        let built = self.build(name, &Map::new())?;
-        Ok(Described {
-            name: factory.name().to_owned(),
-            doc: factory.doc().to_owned(),
-            params: factory.params().to_vec(),
-            schema: factory.schema(),
-            ports: built.recipe.ports.clone(),
-            source_sha256: factory.source_sha256(),
-        })
     }
 }
 

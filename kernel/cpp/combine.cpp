@@ -1,3 +1,4 @@
+#include <BOPAlgo_Alerts.hxx>
 #include <BRepAlgoAPI_BooleanOperation.hxx>
 #include <BRepAlgoAPI_Common.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
@@ -35,6 +36,9 @@ TopoDS_Shape run(Maker& maker, const std::vector<TopoDS_Shape>& arguments,
   maker.SetNonDestructive(Standard_True);
   maker.SetRunParallel(Standard_False);
   maker.Build();
+  if (maker.GetReport()->HasAlert(STANDARD_TYPE(BOPAlgo_AlertBOPNotAllowed), Message_Fail)) {
+    throw Refused("shapes of these kinds do not go together: it takes solids with solids");
+  }
   if (maker.HasErrors()) {
     throw Invalid(joined(alerts(maker.GetReport(), Message_Fail)));
   }

@@ -41,12 +41,15 @@ GProp_GProps line_props(const TopoDS_Shape& shape) {
   return props;
 }
 
+// The relative error of the default is 1e-4 for a plain ellipse.
+constexpr double LENGTH_TOLERANCE = 1e-10;
+
 double length_of(const TopoDS_Shape& shape) {
   double sum = 0.0;
   for (const TopoDS_Shape& part : distinct(shape, TopAbs_EDGE)) {
     const TopoDS_Edge& edge = TopoDS::Edge(part);
     if (!BRep_Tool::Degenerated(edge)) {
-      sum += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge));
+      sum += GCPnts_AbscissaPoint::Length(BRepAdaptor_Curve(edge), LENGTH_TOLERANCE);
     }
   }
   return sum;

@@ -1,17 +1,21 @@
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepFeat_MakeDPrism.hxx>
 #include <BRepIntCurveSurface_Inter.hxx>
+#include <BRepLib_FindSurface.hxx>
 #include <BRepOffsetAPI_MakePipeShell.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRep_Tool.hxx>
-#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <LocOpe_DPrism.hxx>
 #include <TopoDS.hxx>
 #include <gp_Lin.hxx>
+#include <gp_Pln.hxx>
 
 #include <algorithm>
+#include <cmath>
 
 #include "brep_common.h"
 
@@ -88,6 +92,12 @@ TopoDS_Shape without_all(const TopoDS_Shape& from, const std::vector<TopoDS_Shap
 
 TopoDS_Shape swept_wire(const TopoDS_Wire& wire, const TopoDS_Shape& path, const Bundle& guide,
                         Reals normal, bool frenet, bool solid, std::uint8_t transition) {
+  // Rounding the corners of a path in the plane of the profile is a segmentation fault, and what
+  // other corners make of it has no volume.
+  if ((transition == 1 || BRep_Tool::IsClosed(wire)) &&
+      BRepLib_FindSurface(compound_from({wire, path}), -1.0, Standard_True).Found()) {
+    throw Refused("the path lies in the plane of the profile");
+  }
   BRepOffsetAPI_MakePipeShell maker(wire_in(path));
   const bool turned = oriented(maker, path, guide, normal, frenet);
   maker.SetTransitionMode(transition == 0   ? BRepBuilderAPI_Transformed
@@ -119,9 +129,22 @@ SolidPtr extrude(const Solid& profile, const Vector& vector) {
 
 // `slant` is how far the sides reach along themselves, both with the sign of the face's normal.
 SolidPtr extrude_tapered(const Solid& face, double slant, double taper) {
+  if (BRepAdaptor_Surface(face_in(shape_of(face)), Standard_False).GetType() != GeomAbs_Plane) {
+    throw Refused("the face is not flat");
+  }
   const LocOpe_DPrism maker(face_in(shape_of(face)), slant, taper);
-  if (!maker.IsDone() || maker.Shape().IsNull()) {
+  if (!maker.IsDone() || maker.Shape().IsNull() || count(maker.Shape(), TopAbs_SOLID) == 0) {
     throw Invalid("its sides cannot be slanted so much over this length");
+  }
+  // Where the sides meet before, it ends there without a word.
+  const double height = std::abs(slant) * std::cos(taper);
+  const gp_Pln base = BRepAdaptor_Surface(face_in(shape_of(face)), Standard_False).Plane();
+  double reached = 0.0;
+  for (const TopoDS_Shape& corner : distinct(maker.Shape(), TopAbs_VERTEX)) {
+    reached = std::max(reached, base.Distance(BRep_Tool::Pnt(TopoDS::Vertex(corner))));
+  }
+  if (reached < height * (1.0 - 1e-6)) {
+    throw Refused("its sides meet before its end");
   }
   return wrap(maker.Shape());
 }
@@ -246,6 +269,9 @@ SolidPtr loft(const Bundle& wires, bool ruled, bool solid) {
     // Open sections among closed ones end in a segmentation fault.
     if (i > 0 && BRep_Tool::IsClosed(wire) != closed) {
       throw Refused("some of the outlines are closed and some are open");
+    }
+    if (i > 0 && wires.shapes[i].IsSame(wires.shapes[i - 1])) {
+      throw Refused("an outline follows itself");
     }
     closed = BRep_Tool::IsClosed(wire);
     if (solid && !closed) {

@@ -12,7 +12,9 @@
 #include <Geom_CylindricalSurface.hxx>
 #include <ShapeAnalysis_FreeBounds.hxx>
 #include <TopTools_HSequenceOfShape.hxx>
+#include <Precision.hxx>
 #include <TopoDS.hxx>
+#include <gp_Circ.hxx>
 
 #include <cmath>
 
@@ -37,8 +39,15 @@ void only_curves(const Bundle& shapes) {
 
 SolidPtr wire_of(const Bundle& edges) {
   only_curves(edges);
+  // The builder takes edges only: of a wire its edges, in its order.
+  std::vector<TopoDS_Shape> loose;
+  for (const TopoDS_Shape& shape : edges.shapes) {
+    const std::vector<TopoDS_Shape> own =
+        shape.ShapeType() == TopAbs_WIRE ? direct(shape) : std::vector<TopoDS_Shape>{shape};
+    loose.insert(loose.end(), own.begin(), own.end());
+  }
   BRepBuilderAPI_MakeWire maker;
-  maker.Add(list_of(edges.shapes));
+  maker.Add(list_of(loose));
   if (!maker.IsDone()) {
     throw Refused("its edges do not follow one another");
   }
@@ -109,9 +118,37 @@ SolidPtr wire_helix(const At& at, double pitch, double height, double radius, do
   return wrap(helix(pitch, height, radius, gp_Ax3(axes(at)), half_angle, left));
 }
 
+namespace {
+
+// The circle that a wire is, if it is one.
+bool whole_circle(const TopoDS_Wire& wire, gp_Circ& circle) {
+  if (direct(wire).size() != 1 || !BRep_Tool::IsClosed(wire)) {
+    return false;
+  }
+  const Handle(Adaptor3d_Curve) curve = curve_along(wire);
+  if (curve->GetType() != GeomAbs_Circle) {
+    return false;
+  }
+  circle = curve->Circle();
+  return true;
+}
+
+}  // namespace
+
 // Corners: 0 arcs, 1 lines prolonged, 2 tangent lines.
 BundlePtr wire_offset(const Solid& wire, double distance, std::uint8_t corner) {
   const TopoDS_Wire spine = wire_in(shape_of(wire));
+  gp_Circ circle;
+  if (whole_circle(spine, circle)) {
+    // Inwards of a circle by some distances is a segmentation fault: it needs no algorithm.
+    BundlePtr out = bundle();
+    const double radius = circle.Radius() + distance;
+    if (radius > Precision::Confusion()) {
+      circle.SetRadius(radius);
+      out->shapes.push_back(wire_in(BRepBuilderAPI_MakeEdge(circle).Edge()));
+    }
+    return out;
+  }
   // Without a plane the algorithm ends in a segmentation fault.
   if (!BRepLib_FindSurface(spine, -1.0, Standard_True).Found()) {
     throw Refused("the wire does not lie in one plane only");
@@ -124,10 +161,10 @@ BundlePtr wire_offset(const Solid& wire, double distance, std::uint8_t corner) {
     throw Invalid("nothing comes out at this distance");
   }
   const TopoDS_Shape made = maker.Shape();
-  if (made.IsNull()) {
-    throw Refused("nothing is left of the wire at this distance");
-  }
   BundlePtr out = bundle();
+  if (made.IsNull()) {
+    return out;
+  }
   if (made.ShapeType() == TopAbs_COMPOUND) {
     out->shapes = direct(made);
   } else {

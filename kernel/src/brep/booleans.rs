@@ -22,7 +22,7 @@ impl Shape {
     pub fn fused(&self, others: &[&Self], glue: bool, tolerance: Option<f64>) -> Result<Self> {
         let others = bundle(others)?;
         made(
-            bridge::fuse_all(self.solid()?, &*others, glue, fuzzy(tolerance)?),
+            bridge::fuse_all(self.solid()?, &others, glue, fuzzy(tolerance)?),
             || "the shapes could not be fused".into(),
         )
     }
@@ -34,7 +34,7 @@ impl Shape {
     pub fn without(&self, tools: &[&Self], tolerance: Option<f64>) -> Result<Self> {
         let tools = bundle(tools)?;
         made(
-            bridge::cut_all(self.solid()?, &*tools, fuzzy(tolerance)?),
+            bridge::cut_all(self.solid()?, &tools, fuzzy(tolerance)?),
             || "the cut could not be computed".into(),
         )
     }
@@ -46,7 +46,7 @@ impl Shape {
     pub fn shared(&self, others: &[&Self], tolerance: Option<f64>) -> Result<Self> {
         let others = bundle(others)?;
         made(
-            bridge::common_all(self.solid()?, &*others, fuzzy(tolerance)?),
+            bridge::common_all(self.solid()?, &others, fuzzy(tolerance)?),
             || "the common part could not be computed".into(),
         )
     }
@@ -57,7 +57,7 @@ impl Shape {
     /// When there is nothing to split with, or the kernel fails.
     pub fn split_by(&self, tools: &[&Self]) -> Result<Self> {
         let tools = bundle(tools)?;
-        made(bridge::split_all(self.solid()?, &*tools), || {
+        made(bridge::split_all(self.solid()?, &tools), || {
             "the shape could not be split".into()
         })
     }

@@ -1,6 +1,7 @@
 //! Edges from points and numbers.
 
 use assemcad_model::frame::Placement;
+use nalgebra::Vector3;
 
 use super::ffi::bridge;
 use super::{apart, frame, made, radians, run};
@@ -64,6 +65,11 @@ impl Shape {
         start()?;
         run("arc", &[a, b])?;
         direction("tangent of the arc", &tangent)?;
+        if straight(&tangent, &a, &b) {
+            return Err(KernelError::refused(
+                "the arc could not be built: its end lies straight ahead of its start",
+            ));
+        }
         made(bridge::edge_tangent_arc(&a, &tangent, &b), || {
             "the arc could not be built".into()
         })
@@ -236,6 +242,18 @@ impl Shape {
             "the Bezier curve could not be built".into()
         })
     }
+}
+
+/// Whether the sine of the angle between the tangent and the way to the end is as good as 0: the kernel
+/// makes something of that too.
+fn straight(tangent: &[f64; 3], a: &[f64; 3], b: &[f64; 3]) -> bool {
+    let (t, a, b) = (
+        Vector3::from(*tangent),
+        Vector3::from(*a),
+        Vector3::from(*b),
+    );
+    let chord = b - a;
+    t.cross(&chord).norm() <= 1e-9 * t.norm() * chord.norm()
 }
 
 fn radii(x_radius: f64, y_radius: f64) -> Result<()> {

@@ -2,6 +2,7 @@
 
 #![allow(unsafe_code, missing_docs)]
 #![allow(clippy::indexing_slicing, clippy::expect_used, clippy::unwrap_used)]
+#![allow(clippy::too_many_arguments)]
 
 #[cxx::bridge(namespace = "assemcad")]
 pub mod bridge {

@@ -21,7 +21,7 @@ impl Shape {
         length("fillet's radius", radius)?;
         some("fillet", edges)?;
         let edges = bundle(edges)?;
-        made(bridge::fillet_edges(self.solid()?, &*edges, radius), || {
+        made(bridge::fillet_edges(self.solid()?, &edges, radius), || {
             format!("the fillet of {radius} mm could not be built")
         })
     }
@@ -38,7 +38,7 @@ impl Shape {
         some("chamfer", edges)?;
         let edges = bundle(edges)?;
         made(
-            bridge::chamfer_edges(self.solid()?, &*edges, length1, second),
+            bridge::chamfer_edges(self.solid()?, &edges, length1, second),
             || format!("the chamfer of {length1} mm could not be built"),
         )
     }
@@ -62,7 +62,7 @@ impl Shape {
         };
         let open = bundle(open_faces)?;
         made(
-            bridge::hollow(self.solid()?, &*open, thickness, corner, WALL_TOLERANCE),
+            bridge::hollow(self.solid()?, &open, thickness, corner, WALL_TOLERANCE),
             || format!("the wall of {thickness} mm could not be built"),
         )
     }

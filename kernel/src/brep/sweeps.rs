@@ -107,7 +107,7 @@ impl Shape {
             bridge::extrude_until(
                 basis.solid()?,
                 profile_face.solid()?,
-                &*limit,
+                &limit,
                 taper,
                 additive,
             ),
@@ -210,7 +210,7 @@ impl Shape {
             bridge::sweep(
                 self.solid()?,
                 s.path.solid()?,
-                &*guide,
+                &guide,
                 kept(s),
                 s.frenet,
                 s.solid,
@@ -233,9 +233,9 @@ impl Shape {
         let sections = bundle(sections)?;
         made(
             bridge::sweep_multi(
-                &*sections,
+                &sections,
                 s.path.solid()?,
-                &*guide,
+                &guide,
                 kept(s),
                 s.frenet,
                 s.solid,
@@ -256,7 +256,7 @@ impl Shape {
                 wires.len()
             )));
         }
-        made(bridge::loft(&*bundle(wires)?, ruled, solid), || {
+        made(bridge::loft(&bundle(wires)?, ruled, solid), || {
             "the loft could not be built".into()
         })
     }

@@ -41,7 +41,7 @@ impl Shape {
     /// # Errors
     /// When they do not hang together.
     pub fn wire(edges: &[&Self]) -> Result<Self> {
-        made(bridge::wire_of(&*bundle(edges)?), || {
+        made(bridge::wire_of(&bundle(edges)?), || {
             "the wire could not be built".into()
         })
     }
@@ -52,7 +52,7 @@ impl Shape {
     /// When something is no edge and no wire.
     pub fn connected_wires(edges_and_wires: &[&Self]) -> Result<Vec<Self>> {
         unbundle(
-            bridge::wires_connected(&*bundle(edges_and_wires)?, JOINED),
+            bridge::wires_connected(&bundle(edges_and_wires)?, JOINED),
             || "the edges could not be put together".into(),
         )
     }
@@ -125,10 +125,10 @@ impl Shape {
     }
 
     /// The wires beside a flat wire at a distance in mm, outwards where it is positive and the wire
-    /// closed.
+    /// closed: several where a waist closes up, none where nothing is left.
     ///
     /// # Errors
-    /// When the wire does not lie in one plane only, or nothing is left at this distance.
+    /// When the wire does not lie in one plane only.
     pub fn offset_2d(&self, distance: f64, corner: Corner) -> Result<Vec<Self>> {
         length("offset", distance.abs())?;
         unbundle(
