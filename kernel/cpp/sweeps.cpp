@@ -1,3 +1,4 @@
+#include <Approx_ParametrizationType.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
@@ -261,23 +262,39 @@ SolidPtr sweep_multi(const Bundle& sections, const Solid& path, const Bundle& gu
   return wrap(finished(maker, solid));
 }
 
-SolidPtr loft(const Bundle& wires, bool ruled, bool solid) {
+// Sections are wires, or vertices at the ends. Degree, continuity and parametrization are those of
+// CadQuery's loft.
+SolidPtr loft(const Bundle& sections, bool ruled, bool solid) {
   BRepOffsetAPI_ThruSections maker(solid, ruled);
+  maker.SetMaxDegree(3);
+  maker.SetContinuity(GeomAbs_C2);
+  maker.SetParType(Approx_IsoParametric);
+  bool known = false;
   bool closed = false;
-  for (std::size_t i = 0; i < wires.shapes.size(); ++i) {
-    const TopoDS_Wire wire = border(wires.shapes[i]);
+  TopoDS_Shape last;
+  for (const TopoDS_Shape& section : sections.shapes) {
+    if (section.ShapeType() == TopAbs_VERTEX) {
+      maker.AddVertex(TopoDS::Vertex(section));
+      continue;
+    }
+    const TopoDS_Wire wire = border(section);
     // Open sections among closed ones end in a segmentation fault.
-    if (i > 0 && BRep_Tool::IsClosed(wire) != closed) {
+    if (known && BRep_Tool::IsClosed(wire) != closed) {
       throw Refused("some of the outlines are closed and some are open");
     }
-    if (i > 0 && wires.shapes[i].IsSame(wires.shapes[i - 1])) {
+    if (known && section.IsSame(last)) {
       throw Refused("an outline follows itself");
     }
+    last = section;
+    known = true;
     closed = BRep_Tool::IsClosed(wire);
     if (solid && !closed) {
       throw Refused("an outline is open, and a solid is asked for");
     }
     maker.AddWire(wire);
+  }
+  if (!known) {
+    throw Refused("a loft needs an outline, and all its sections are points");
   }
   maker.Build();
   if (!maker.IsDone()) {

@@ -160,8 +160,8 @@ BundlePtr parts_of(const Solid& shape, std::uint8_t kind) {
 BundlePtr ancestors_of(const Solid& context, const Solid& of, std::uint8_t kind) {
   const TopAbs_ShapeEnum wanted = kind_named(kind);
   const TopoDS_Shape& part = shape_of(of);
-  if (wanted >= part.ShapeType()) {
-    throw Refused("what holds a shape is of a higher kind than the shape");
+  if (wanted > part.ShapeType()) {
+    throw Refused("what holds a shape is of no lower kind than the shape");
   }
   TopTools_IndexedDataMapOfShapeListOfShape map;
   TopExp::MapShapesAndAncestors(shape_of(context), part.ShapeType(), wanted, map);

@@ -17,7 +17,7 @@ impl Shape {
         let wires: Vec<&Self> = core::iter::once(outer)
             .chain(holes.iter().copied())
             .collect();
-        made(bridge::face_of_wires(&bundle(&wires)?), || {
+        made(bridge::face_of_wires(&*bundle(&wires)?), || {
             "the face could not be built".into()
         })
     }
@@ -27,7 +27,7 @@ impl Shape {
     /// # Errors
     /// When there is no wire, one is open or they do not lie in one plane.
     pub fn faces_from_wires(wires: &[&Self]) -> Result<Vec<Self>> {
-        unbundle(bridge::faces_of_wires(&bundle(wires)?), || {
+        unbundle(bridge::faces_of_wires(&*bundle(wires)?), || {
             "the faces could not be built".into()
         })
     }

@@ -256,7 +256,7 @@ impl Shape {
                 wires.len()
             )));
         }
-        made(bridge::loft(&bundle(wires)?, ruled, solid), || {
+        made(bridge::loft(&*bundle(wires)?, ruled, solid), || {
             "the loft could not be built".into()
         })
     }

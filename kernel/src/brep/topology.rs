@@ -126,7 +126,7 @@ impl Shape {
     /// # Errors
     /// When the kernel fails.
     pub fn compound(shapes: &[&Self]) -> Result<Self> {
-        made(bridge::compound_of(&bundle(shapes)?), || {
+        made(bridge::compound_of(&*bundle(shapes)?), || {
             "the shapes could not be grouped".into()
         })
     }

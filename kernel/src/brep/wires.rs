@@ -41,7 +41,7 @@ impl Shape {
     /// # Errors
     /// When they do not hang together.
     pub fn wire(edges: &[&Self]) -> Result<Self> {
-        made(bridge::wire_of(&bundle(edges)?), || {
+        made(bridge::wire_of(&*bundle(edges)?), || {
             "the wire could not be built".into()
         })
     }
@@ -52,7 +52,7 @@ impl Shape {
     /// When something is no edge and no wire.
     pub fn connected_wires(edges_and_wires: &[&Self]) -> Result<Vec<Self>> {
         unbundle(
-            bridge::wires_connected(&bundle(edges_and_wires)?, JOINED),
+            bridge::wires_connected(&*bundle(edges_and_wires)?, JOINED),
             || "the edges could not be put together".into(),
         )
     }
@@ -107,8 +107,7 @@ impl Shape {
             )));
         }
         let half = if angle_deg == 360.0 { 0.0 } else { angle_deg };
-        // Written so that NaN fails too.
-        if !(half.abs() < 90.0) {
+        if half.is_nan() || half.abs() >= 90.0 {
             return Err(KernelError::refused(format!(
                 "the half angle of the helix's cone is {angle_deg} degrees, and must lie between -90 \
                  and 90"

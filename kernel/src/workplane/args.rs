@@ -194,7 +194,8 @@ impl<'a> Args<'a> {
     pub(super) fn place_of(&self, name: &str, json: &Json) -> Result<Placement> {
         if let Some(at) = reference(json) {
             return match self.value(at)? {
-                Value::Place(place) => Ok(*place),
+                Value::Place(place) | Value::Object(Object::Place(place)) => Ok(*place),
+                Value::Object(Object::Point(p)) => Ok(Placement::translation(p.x, p.y, p.z)),
                 _ => Err(self.wrong(name, "a location")),
             };
         }

@@ -19,8 +19,9 @@ pub fn tree() -> Value {
     of::<Tree>()
 }
 
-/// Everything inlined, so that a place in a document is a place in the schema.
-fn of<T: JsonSchema>() -> Value {
+/// The schema of a type with everything inlined, so that a place in a document is a place in the schema.
+#[must_use]
+pub fn of<T: JsonSchema>() -> Value {
     let mut schema = SchemaSettings::draft2020_12()
         .with(|s| s.inline_subschemas = true)
         .into_generator()

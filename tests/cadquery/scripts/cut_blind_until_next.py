@@ -9,7 +9,7 @@ result = (
     .rect(10, 10)
     .cutThruAll()
     .faces(">Z")
-    .workplane()
+    .workplane(origin=(0, 0, 0))
     .circle(3)
     .cutBlind("next")
 )

@@ -13,7 +13,7 @@ result = (
     .rect(30, 6)
     .extrude(-3, combine="s")
     .faces(">X")
-    .workplane()
+    .workplane(centerOption="CenterOfMass")
     .circle(2)
     .extrude(-10, combine="cut")
 )

@@ -8,7 +8,7 @@ result = (
     .workplane()
     .hole(4, 5)
     .faces("-X")
-    .workplane()
+    .workplane(centerOption="CenterOfMass")
     .rect(6, 4)
     .extrude(5)
     .faces("Y")

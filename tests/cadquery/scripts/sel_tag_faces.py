@@ -11,7 +11,7 @@ result = (
     .circle(8)
     .extrude(10)
     .faces(">X", tag="base")
-    .workplane()
+    .workplane(centerOption="CenterOfMass")
     .hole(4)
     .workplaneFromTagged("top_plane")
     .rect(30, 30, forConstruction=True)

@@ -12,6 +12,6 @@ result = (
     .workplane()
     .hole(6)
     .faces("-(0.5,0.5,0)")
-    .workplane()
+    .workplane(centerOption="CenterOfMass")
     .hole(3, 6)
 )

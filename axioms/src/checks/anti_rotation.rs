@@ -1,0 +1,83 @@
+//! T-09: one screw is a pivot.
+
+use assemcad_model::mates::MateType;
+use assemcad_model::ports::PortType;
+
+use super::Check;
+use crate::class::Class;
+use crate::facts::{Facts, MateFacts, PartFacts, Side};
+use crate::geometry::collinear;
+use crate::joints::about_part;
+use crate::verdict::Verdict;
+
+/// A structural part that fasteners hold has two of them, or something else that keeps it from turning.
+pub struct AntiRotation;
+
+impl Check for AntiRotation {
+    fn id(&self) -> &'static str {
+        "anti_rotation"
+    }
+
+    fn axiom(&self) -> &'static str {
+        "T-09"
+    }
+
+    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+        let mut out = Vec::new();
+        for part in &facts.parts {
+            let flat = matches!(
+                part.class(),
+                Class::Plate | Class::Bracket | Class::Channel | Class::Flange
+            );
+            if flat && facts.root() != Some(&part.id) {
+                out.extend(held(self.axiom(), facts, part));
+            }
+        }
+        out
+    }
+}
+
+/// Whether a port fixes an axis at right angles to which it lets nothing move.
+fn is_axis(t: PortType) -> bool {
+    !matches!(
+        t,
+        PortType::FlatFace | PortType::GearMesh | PortType::SnapFit
+    )
+}
+
+fn held(axiom: &str, facts: &Facts, part: &PartFacts) -> Option<Verdict> {
+    let mut axes: Vec<Side<'_>> = Vec::new();
+    let mut mates: Vec<&MateFacts> = Vec::new();
+    let mut screwed = false;
+    for mate in facts.mates_of(&part.id) {
+        let (own, other) = facts.seen_from(&part.id, mate)?;
+        // A place that is pressed or given on a face is held against turning.
+        if matches!(mate.mate_type, MateType::PressFit | MateType::SnapToFace) {
+            return None;
+        }
+        if !is_axis(own.port.port_type) {
+            continue;
+        }
+        screwed |= other.part.class().is_fastener();
+        mates.push(mate);
+        let known = axes
+            .iter()
+            .any(|a| a.sees(&own).is_some_and(|s| collinear(&s)));
+        if !known {
+            axes.push(own);
+        }
+    }
+    if !screwed {
+        return None;
+    }
+    if part.placement.is_none() {
+        return Some(Verdict::unplaced(axiom, about_part(part, mates)));
+    }
+    let n = axes.len();
+    let message = if n > 1 {
+        format!("'{}' is held at {n} axes", part.id)
+    } else {
+        format!("'{}' can turn about its only fastener", part.id)
+    };
+    Some(Verdict::held(axiom, n > 1, about_part(part, mates), message).value("axes", n as f64))
+}

@@ -1,0 +1,36 @@
+//! F-05: what is seated touches.
+
+use super::Check;
+use crate::facts::Facts;
+use crate::joints::about;
+use crate::verdict::{Status, Verdict};
+
+/// Mates that mean contact show it on the solids.
+pub struct ContactAtSeat;
+
+impl Check for ContactAtSeat {
+    fn id(&self) -> &'static str {
+        "contact_at_seat"
+    }
+
+    fn axiom(&self) -> &'static str {
+        "F-05"
+    }
+
+    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+        let mut out = Vec::new();
+        for c in facts.measured.contacts.iter().flatten() {
+            let Some(m) = facts.mates.iter().find(|m| m.id == c.mate) else {
+                continue;
+            };
+            let (status, what) = match c.touches {
+                Some(true) => (Status::Pass, "touch"),
+                Some(false) => (Status::Fail, "do not touch"),
+                None => (Status::Indeterminate, "could not be measured"),
+            };
+            let message = format!("{} and {} {what} at their seats", m.base, m.incoming);
+            out.push(Verdict::new(self.axiom(), status, about(m), message));
+        }
+        out
+    }
+}

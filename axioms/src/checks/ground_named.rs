@@ -1,0 +1,44 @@
+//! F-02: one part stands still.
+
+use super::Check;
+use crate::class::Class;
+use crate::facts::Facts;
+use crate::verdict::{About, Verdict};
+
+/// The root is a part of structure.
+pub struct GroundNamed;
+
+impl Check for GroundNamed {
+    fn id(&self) -> &'static str {
+        "ground_named"
+    }
+
+    fn axiom(&self) -> &'static str {
+        "F-02"
+    }
+
+    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+        let Some(root) = facts.root() else {
+            return Vec::new();
+        };
+        let about = About::parts([root]);
+        let Some(part) = facts.part(root) else {
+            let message = format!("the ground '{root}' is no part");
+            return vec![Verdict::held(self.axiom(), false, about, message)];
+        };
+        let class = part.class();
+        let holds = class.is_structure() || class == Class::Custom;
+        let message = if holds {
+            format!("'{root}' stands still")
+        } else {
+            format!(
+                "'{root}' ({class}) stands still, and is no part of structure that could carry others"
+            )
+        };
+        let mut v = Verdict::held(self.axiom(), holds, about, message);
+        if facts.root.is_none() {
+            v = v.assuming("the first part is the ground: none is named");
+        }
+        vec![v]
+    }
+}

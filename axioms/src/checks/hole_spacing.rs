@@ -1,0 +1,69 @@
+//! N-04: spacing of holes.
+
+use super::Check;
+use crate::facts::Facts;
+use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg, off_axis_mm};
+use crate::verdict::{About, Verdict};
+use assemcad_model::ports::PortType;
+
+/// Clearance holes side by side in a part are 2.2 hole diameters apart.
+pub struct HoleSpacing;
+
+/// Distance of hole axes in hole diameters: EN 1993-1-8, table 3.3, least p1 (p2 across the load is 2.4; the
+/// direction of the load is not known here).
+const SPACING: f64 = 2.2;
+
+impl Check for HoleSpacing {
+    fn id(&self) -> &'static str {
+        "hole_spacing"
+    }
+
+    fn axiom(&self) -> &'static str {
+        "N-04"
+    }
+
+    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+        let mut out = Vec::new();
+        for part in &facts.parts {
+            let holes: Vec<_> = part
+                .ports
+                .iter()
+                .filter(|p| p.port_type == PortType::ClearanceHole)
+                .filter_map(|p| Some((p, p.frame.placement().ok()?)))
+                .collect();
+            let mut nearest: Option<(f64, f64)> = None;
+            for (i, (a, at)) in holes.iter().enumerate() {
+                for (b, other) in holes.iter().skip(i + 1) {
+                    let seen = at.inverse() * *other;
+                    let apart = off_axis_mm(&seen);
+                    // The two mouths of one hole, and holes in other walls, are no neighbours.
+                    if askew_deg(&seen) > NEAR_DEG || apart <= NEAR_MM {
+                        continue;
+                    }
+                    let least = SPACING * a.value("diameter").max(b.value("diameter"));
+                    if nearest.is_none_or(|(d, l)| apart - least < d - l) {
+                        nearest = Some((apart, least));
+                    }
+                }
+            }
+            let Some((apart, least)) = nearest else {
+                continue;
+            };
+            let message = format!(
+                "holes of '{}' are {apart:.3} mm apart; {least:.3} mm is the least",
+                part.id
+            );
+            out.push(
+                Verdict::held(
+                    self.axiom(),
+                    apart >= least - 1e-9,
+                    About::parts([&part.id]),
+                    message,
+                )
+                .value("apart_mm", apart)
+                .value("least_mm", least),
+            );
+        }
+        out
+    }
+}

@@ -1,0 +1,50 @@
+//! H-02: the pin passes all knuckles.
+
+use super::Check;
+use crate::facts::Facts;
+use crate::geometry::NEAR_MM;
+use crate::hinges::hinges;
+use crate::joints::reach;
+use crate::verdict::Verdict;
+
+/// Every knuckle lies within the length of the pin.
+pub struct PinReach;
+
+impl Check for PinReach {
+    fn id(&self) -> &'static str {
+        "pin_reach"
+    }
+
+    fn axiom(&self) -> &'static str {
+        "H-02"
+    }
+
+    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+        let mut out = Vec::new();
+        for h in hinges(facts) {
+            let (Some(along), Some(first)) = (h.along(), h.knuckles.first()) else {
+                out.push(Verdict::unplaced(self.axiom(), h.about()));
+                continue;
+            };
+            let (low, high) = reach(&first.pin);
+            let lacking = along
+                .iter()
+                .map(|(a, b, _)| (low - a).max(b - high))
+                .fold(f64::NEG_INFINITY, f64::max);
+            let holds = lacking <= NEAR_MM;
+            let message = if holds {
+                format!("'{}' passes all of its knuckles", h.pin.id)
+            } else {
+                format!(
+                    "'{}' is {lacking:.3} mm too short for its knuckles",
+                    h.pin.id
+                )
+            };
+            out.push(
+                Verdict::held(self.axiom(), holds, h.about(), message)
+                    .value("lacking_mm", lacking.max(0.0)),
+            );
+        }
+        out
+    }
+}

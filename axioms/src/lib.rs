@@ -1,0 +1,32 @@
+//! The engineering axioms that mates cite: data, their order, queries and checks.
+//!
+//! The data are one YAML file per category under `axioms/data/`, embedded in the crate, read with the
+//! workspace's own YAML reader and validated as a whole. A check is one file under `src/checks/`: it reads
+//! [`facts::Facts`] and yields [`verdict::Verdict`]s. Nothing here knows a kernel, files or a protocol.
+
+pub mod axiom;
+pub mod checks;
+pub mod class;
+pub mod decision;
+pub mod docs;
+pub mod entry;
+pub mod facts;
+mod gearing;
+mod geometry;
+mod hinges;
+mod joints;
+pub mod knowledge;
+pub mod load;
+mod measured;
+pub mod query;
+mod tables;
+mod validate;
+pub mod verdict;
+
+pub use axiom::Axiom;
+pub use class::Class;
+pub use decision::Decision;
+pub use facts::Facts;
+pub use knowledge::{KnowledgeBase, axioms};
+pub use query::{Applicability, Query};
+pub use verdict::{Status, Verdict};
