@@ -1,0 +1,144 @@
+//! Every factory at the corners of its ranges and at random parameters: each set is either refused with a
+//! reason that names a parameter, or gives one valid closed solid of the computed volume that shows all
+//! its ports.
+
+use assemcad_factories::Registry;
+use assemcad_model::diagnostic::Code;
+use assemcad_model::param::{ParamKind, ParamSpec};
+use serde_json::{Map, Value, json};
+
+use super::golden::as_computed;
+use super::kit::{faults, made};
+use super::sample::{Rng, sample};
+
+/// Whether the factory makes it. Panics where it is neither sound nor refused with a reason.
+fn tried(name: &str, params: &Value) -> bool {
+    match made(name, params) {
+        Ok(part) => {
+            let found = faults(&part);
+            assert!(found.is_empty(), "{name} {params}: {found:#?}");
+            as_computed(name, params, &part);
+            true
+        }
+        Err(found) => {
+            let factory = Registry::builtin().get(name).unwrap();
+            for d in found {
+                let of_params = (d.code, d.place.as_str()) == (Code::ParamInvalid, "params");
+                let named = factory.params().iter().any(|s| d.message.contains(&s.name));
+                assert!(of_params && named, "{name} {params}: {d}");
+            }
+            false
+        }
+    }
+}
+
+/// Smallest and largest value of a parameter.
+fn ends(spec: &ParamSpec) -> Vec<Value> {
+    match &spec.kind {
+        ParamKind::Number { min, max, .. } => vec![json!(min), json!(max)],
+        ParamKind::Integer { min, max, .. } => vec![json!(min), json!(max)],
+        ParamKind::Choice { choices, .. } => choices.iter().map(|c| json!(c)).collect(),
+        ParamKind::Flag { .. } => vec![json!(false), json!(true)],
+        ParamKind::Records {
+            fields,
+            min_items,
+            max_items,
+            ..
+        } => {
+            let mut lists = Vec::new();
+            for record in combinations(fields) {
+                for n in [*min_items, *max_items] {
+                    lists.push(Value::Array(vec![Value::Object(record.clone()); n]));
+                }
+            }
+            lists
+        }
+    }
+}
+
+/// Every combination of smallest and largest values.
+fn combinations(specs: &[ParamSpec]) -> Vec<Map<String, Value>> {
+    specs.iter().fold(vec![Map::new()], |all, spec| {
+        let values = ends(spec);
+        all.iter()
+            .flat_map(|given| {
+                values.iter().map(|value| {
+                    let mut given = given.clone();
+                    given.insert(spec.name.clone(), value.clone());
+                    given
+                })
+            })
+            .collect()
+    })
+}
+
+fn corners(name: &str) {
+    let factory = Registry::builtin().get(name).unwrap();
+    let (mut made, mut tries) = (0, 0);
+    for params in combinations(factory.params()) {
+        made += u32::from(tried(name, &Value::Object(params)));
+        tries += 1;
+    }
+    // And every end of a range on its own.
+    for spec in factory.params() {
+        for value in ends(spec) {
+            made += u32::from(tried(name, &json!({ spec.name.as_str(): value })));
+            tries += 1;
+        }
+    }
+    println!("{name}: {made} made of {tries} corners");
+    assert!(made >= 3, "{name}: only {made} of {tries} corners are made");
+}
+
+fn random(name: &str, count: u32) {
+    let mut rng = Rng::of(name);
+    let mut made = 0;
+    for _ in 0..count {
+        let params = sample(name, &mut rng);
+        made += u32::from(tried(name, &params));
+    }
+    println!("{name}: {made} made of {count} random sets");
+    assert!(2 * made >= count, "{name}: only {made} of {count} sets are made");
+}
+
+macro_rules! of_each {
+    ($($module:ident $name:literal,)*) => {
+        #[test]
+        fn every_factory_is_tried() {
+            let mut names = vec![$($name),*];
+            names.sort_unstable();
+            assert_eq!(names, Registry::builtin().names());
+        }
+        $(mod $module {
+            #[test]
+            fn corners() {
+                super::corners($name);
+            }
+            #[test]
+            fn twenty_random_sets() {
+                super::random($name, 20);
+            }
+            #[test]
+            #[ignore = "make test-factories"]
+            fn two_hundred_random_sets() {
+                super::random($name, 200);
+            }
+        })*
+    };
+}
+
+of_each! {
+    ball "bearing.ball",
+    bolt "fastener.bolt",
+    bolt_circle_flange "base_frame.bolt_circle_flange",
+    boss "base_frame.boss",
+    coupling_hub "base_frame.coupling_hub",
+    housing_block "base_frame.housing_block",
+    l_bracket "base_frame.l_bracket",
+    nut "fastener.nut",
+    rect_plate "base_frame.rect_plate",
+    spur "gear.spur",
+    stepped_shaft "base_frame.stepped_shaft",
+    u_channel "base_frame.u_channel",
+    washer "fastener.washer",
+}
