@@ -143,7 +143,9 @@ fn solids(args: &Args<'_>, solid: &Shape) -> Result<Value> {
     let node = args.on()?;
     let mut made = Vec::new();
     for place in places(&node)? {
-        made.push(solid.moved(&(node.plane * place))?);
+        // Written anew: where a boolean meets a solid that has a location, its edges are there in two
+        // spellings afterwards, and the boundary no longer hangs together once locations are taken off.
+        made.push(solid.moved(&(node.plane * place))?.baked()?);
     }
     let mode = Mode::of(args)?;
     Ok(Value::Node(combined(
@@ -284,9 +286,9 @@ pub(super) fn each_point(
                 body.moved(&at)?
             };
             made.push(if local {
-                moved.moved(&node.plane)?
+                moved.moved(&node.plane)?.baked()?
             } else {
-                moved
+                moved.baked()?
             });
         }
     }

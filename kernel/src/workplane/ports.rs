@@ -183,7 +183,7 @@ impl Drilled {
                 )));
             }
             bores.push((first, last));
-            tools.push(tool.moved(at)?);
+            tools.push(tool.moved(at)?.baked()?);
         }
         Ok((cut(&self.solid, &tools, None)?, bores))
     }
@@ -413,7 +413,7 @@ fn grown(
     let node = args.on()?;
     let mut tools = Vec::new();
     for place in places(&node)? {
-        tools.push(made.moved(&(node.plane * place))?);
+        tools.push(made.moved(&(node.plane * place))?.baked()?);
     }
     let joined = match node.find_solid()? {
         Some(base) => safe_union(&base, &tools, false, None)?.cleaned()?,

@@ -380,7 +380,7 @@ fn drilled(args: &Args<'_>, tool: &Shape) -> Result<Value> {
     let solid = node.solid()?;
     let mut tools = Vec::new();
     for place in super::each::places(&node)? {
-        tools.push(tool.moved(&(node.plane * place))?);
+        tools.push(tool.moved(&(node.plane * place))?.baked()?);
     }
     finish(&node, cut(&solid, &tools, None)?, args.flag("clean")?)
 }

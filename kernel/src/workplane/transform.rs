@@ -186,7 +186,7 @@ pub(super) fn tidy(at: &Placement) -> Result<Frame> {
 /// A node's ports moved along with a shape are the business of `moved`; a shape alone has none.
 pub(super) fn moved_object(object: &Object, by: &Placement) -> Result<Object> {
     match object {
-        Object::Shape(body) => Ok(Object::shape(body.moved(by)?)),
+        Object::Shape(body) => Ok(Object::shape(body.moved(by)?.baked()?)),
         Object::Point(point) => Ok(Object::Point(by.point((*point).into()).into())),
         Object::Place(place) => Ok(Object::Place(*by * *place)),
     }
