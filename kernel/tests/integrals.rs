@@ -3,7 +3,8 @@
     clippy::unwrap_used,
     clippy::indexing_slicing,
     clippy::print_stdout,
-    reason = "helpers of tests, outside of #[test] functions"
+    clippy::disallowed_methods,
+    reason = "helpers of tests, outside of #[test] functions; no bits have to be equal elsewhere"
 )]
 
 use core::f64::consts::{PI, TAU};
