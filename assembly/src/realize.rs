@@ -131,6 +131,19 @@ impl Workshop {
         let checked = self.validate_draft(text).await?;
         let id = checked.id;
         let Some(spec) = checked.assembly else {
+            let errors = |d: &&Diagnostic| d.severity == Severity::Error;
+            if checked.diagnostics.iter().filter(errors).all(of_kernel) {
+                // The draft is in order and every part has a recipe: it is the solids that fail.
+                run.end(Verdict::Pass, "the form is in order".to_owned(), Vec::new());
+                run.end(Verdict::Pass, "every part has a recipe".to_owned(), Vec::new());
+                let verdict = verdict_of(&checked.diagnostics);
+                run.end(verdict, String::new(), checked.diagnostics);
+                return Ok(Realized {
+                    id,
+                    stages: run.all(),
+                    kept: None,
+                });
+            }
             let summary = format!("round {} of {}", checked.round, self.draft_rounds);
             run.end(Verdict::Fail, summary, checked.diagnostics);
             return Ok(Realized {
@@ -317,7 +330,8 @@ fn verdict_of(faults: &[Diagnostic]) -> Verdict {
                 | Code::Indeterminate
         )
     };
-    if faults.iter().all(lost) {
+    let errors = |d: &&Diagnostic| d.severity == Severity::Error;
+    if faults.iter().filter(errors).all(lost) {
         Verdict::Indeterminate
     } else {
         Verdict::Fail
