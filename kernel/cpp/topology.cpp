@@ -222,20 +222,17 @@ TopoDS_Shape baked(const TopoDS_Shape& shape) {
     }
     return compound_from(out).Oriented(shape.Orientation());
   }
-  // Both tools leave the location of the shape itself on it: it is taken off before and then written
-  // into the geometry.
-  const gp_Trsf own = shape.Location().Transformation();
-  ShapeUpgrade_RemoveLocations inner;
-  inner.SetRemoveLevel(TopAbs_SHAPE);
-  inner.Remove(shape.Located(TopLoc_Location()));
-  if (shape.Location().IsIdentity()) {
-    return inner.GetResult();
+  // The tool leaves the location of the shape itself on it: as a member of a group it is an inner one.
+  // BRepBuilderAPI_Transform would write it into the geometry too, and a sphere that it has copied comes
+  // out of a cut as nothing (OCCT 7.7 and 7.8).
+  ShapeUpgrade_RemoveLocations tool;
+  tool.SetRemoveLevel(TopAbs_SHAPE);
+  tool.Remove(compound_from({shape}));
+  TopoDS_Iterator inside(tool.GetResult());
+  if (!inside.More()) {
+    throw Invalid("its locations could not be taken off");
   }
-  BRepBuilderAPI_Transform maker(inner.GetResult(), own, Standard_True);
-  if (!maker.IsDone()) {
-    throw Invalid("it could not be moved");
-  }
-  return maker.Shape();
+  return inside.Value();
 }
 
 }  // namespace

@@ -12,8 +12,17 @@ mod try_all {
                 Ok(Ok(part)) => {
                     let dt = t.elapsed();
                     let v = part.solid.mass().unwrap();
-                    println!("{name}: {dt:?} volume {} {:?}", v.volume, super::kit::faults(&part));
-                    for p in &part.ports { println!("   {} {:?} {:?} z{:?} x{:?} {:?}", p.name, p.port_type, p.frame.origin, p.frame.z, p.frame.x, p.params); }
+                    println!(
+                        "{name}: {dt:?} volume {} {:?}",
+                        v.volume,
+                        super::kit::faults(&part)
+                    );
+                    for p in &part.ports {
+                        println!(
+                            "   {} {:?} {:?} z{:?} x{:?} {:?}",
+                            p.name, p.port_type, p.frame.origin, p.frame.z, p.frame.x, p.params
+                        );
+                    }
                 }
                 Ok(Err(e)) => println!("{name}: {e:?}"),
                 Err(_) => println!("{name}: PANIC"),

@@ -337,6 +337,10 @@ pub(super) fn sweep(args: &Args<'_>) -> Result<Value> {
             .map(|face| face.swept(&how))
             .collect::<Result<Vec<Shape>>>()?
     };
+    let made = made
+        .into_iter()
+        .map(|made| sound(made, "the sweep"))
+        .collect::<Result<Vec<Shape>>>()?;
     Ok(Value::Node(combined(
         &node,
         made,
@@ -365,7 +369,7 @@ pub(super) fn loft(args: &Args<'_>) -> Result<Value> {
         )));
     }
     let all: Vec<&Shape> = sections.iter().map(Rc::as_ref).collect();
-    let made = Shape::lofted(&all, args.flag("ruled")?, true)?;
+    let made = sound(Shape::lofted(&all, args.flag("ruled")?, true)?, "the loft")?;
     Ok(Value::Node(combined(
         &node,
         vec![made],
@@ -457,6 +461,7 @@ pub(super) fn fillet(args: &Args<'_>) -> Result<Value> {
     let radius = args.length("radius")?;
     let made = solid
         .filleted(&all, radius)
+        .and_then(|made| sound(made, &format!("the fillet of {radius} mm")))
         .map_err(|e| tight(e, &solid, &all, radius))?;
     finish(&node, made, true)
 }
@@ -469,8 +474,21 @@ pub(super) fn chamfer(args: &Args<'_>) -> Result<Value> {
     let length = args.length("length")?;
     let made = solid
         .chamfered(&all, length, args.real_or_none("length2")?)
+        .and_then(|made| sound(made, &format!("the chamfer of {length} mm")))
         .map_err(|e| tight(e, &solid, &all, length))?;
     finish(&node, made, false)
+}
+
+/// The shape, where it is valid: these verbs may leave one that is not, and nothing made of it later
+/// would be.
+fn sound(made: Shape, what: &str) -> Result<Shape> {
+    if made.is_valid()? {
+        Ok(made)
+    } else {
+        Err(KernelError::invalid(format!(
+            "{what} leaves no valid solid: faces cross each other or the boundary is open"
+        )))
+    }
 }
 
 /// Says what is small beside the size that was asked for.
@@ -513,8 +531,13 @@ pub(super) fn shell(args: &Args<'_>) -> Result<Value> {
         }
     }
     let open: Vec<&Shape> = open.iter().map(Rc::as_ref).collect();
-    let made = solid.hollowed(&open, args.real("thickness")?, corner(args.text("kind")?))?;
-    finish(&node, made, false)
+    let thickness = args.real("thickness")?;
+    let made = solid.hollowed(&open, thickness, corner(args.text("kind")?))?;
+    finish(
+        &node,
+        sound(made, &format!("the shell of {thickness} mm"))?,
+        false,
+    )
 }
 
 /// `split(keepTop, keepBottom)` or `split(splitter)`.
