@@ -46,7 +46,10 @@ pub fn faults(part: &Part) -> Vec<String> {
     for ((name, probe), answer) in probes.iter().zip(answers) {
         if !answer.held {
             let shows = &probe.shows;
-            found.push(format!("port '{name}': {shows} at {:?}: {}", answer.at, answer.found));
+            found.push(format!(
+                "port '{name}': {shows} at {:?}: {}",
+                answer.at, answer.found
+            ));
         }
     }
     found
@@ -96,7 +99,11 @@ pub fn is(
     assert_eq!((p.frame.z, p.frame.x), (z, x), "{name}");
     assert_eq!(p.params.len(), params.len(), "{name} {:?}", p.params);
     for (key, value) in params {
-        assert!((p.params[*key] - value).abs() < 1e-6, "{name} {key} {}", p.params[*key]);
+        assert!(
+            (p.params[*key] - value).abs() < 1e-6,
+            "{name} {key} {}",
+            p.params[*key]
+        );
     }
 }
 
