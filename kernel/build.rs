@@ -32,13 +32,14 @@ const LIBRARIES: [&str; 23] = [
     "TKernel",
 ];
 
-const SOURCES: [&str; 20] = [
+const SOURCES: [&str; 21] = [
     "along",
     "areas",
     "combine",
     "common",
     "curves",
     "facts",
+    "integrals",
     "io",
     "look",
     "mesh",

@@ -165,6 +165,37 @@ fn the_prompt_tells_what_a_draft_needs() {
     ] {
         assert!(text.contains(word), "{word}\n{text}");
     }
+    // Four characters to a token.
+    let tokens = text.chars().count() / 4;
+    assert!(tokens < 4500, "{tokens} tokens");
+    let names = assemcad_factories::Registry::builtin().names();
+    let mates = assemcad_model::mates::ALL.iter().map(|k| format!("`{}(", k.name));
+    let ports = assemcad_model::ports::ALL.iter().map(|k| format!("`{}`", k.name));
+    for word in names.into_iter().map(str::to_owned).chain(mates).chain(ports) {
+        assert!(text.contains(&word), "{word}");
+    }
+
+    // What a caller writes stays as it is.
+    let odd = json!({"name": "decompose", "arguments": {"description": "with {{MATES}} in it"}});
+    let odd = get(&mut kit, odd);
+    let odd = odd["result"]["messages"][0]["content"]["text"].as_str().unwrap();
+    assert_eq!(odd.matches("{{").count(), 1, "{odd}");
+    assert!(odd.ends_with("with {{MATES}} in it\n"));
+
+    // Its example is a valid draft.
+    let example = text.split("```yaml\n").nth(1).unwrap();
+    let example = example.split("```").next().unwrap();
+    let checked = kit.ok("validate_draft", json!({"draft": example}));
+    assert_eq!(checked["valid"], true);
+    let codes: Vec<&str> = checked["diagnostics"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|d| d["code"].as_str().unwrap())
+        .collect();
+    // The comment in it, and nothing else.
+    assert_eq!(codes, ["comment_lost"]);
+
     for params in [
         json!({"name": "compose"}),
         json!({"name": "decompose"}),

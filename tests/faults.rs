@@ -89,7 +89,7 @@ fn a_worker_killed_in_the_middle_of_a_request() {
         assert_eq!(d["code"], "worker_crashed");
         let message = d["message"].as_str().unwrap();
         assert!(
-            message.contains("(fuse)") && message.contains("signal"),
+            message.contains("(Workplane.union)") && message.contains("signal"),
             "{message}"
         );
         assert!(
@@ -126,7 +126,7 @@ fn a_request_that_never_ends() {
         assert_eq!(d["code"], "worker_timeout");
         let message = d["message"].as_str().unwrap();
         assert!(
-            message.contains("fuse") && message.contains("limit of 2 s"),
+            message.contains("Workplane.union") && message.contains("limit of 2 s"),
             "{message}"
         );
     }

@@ -54,8 +54,8 @@ impl Gear {
         let built = Registry::builtin()
             .build("gear.spur", params.as_object().unwrap())
             .unwrap();
-        let solid = replay(&built.recipe, &mut |_, _| ()).unwrap();
-        (solid, built.recipe.ports.clone())
+        let part = replay(&built.recipe, &mut |_, _| ()).unwrap();
+        (part.solid, part.ports)
     }
 
     pub fn pitch_radius(&self) -> f64 {

@@ -243,6 +243,6 @@ fn the_stateless_revision_is_spoken_too() {
         .unwrap();
     assert_eq!(
         list["result"]["structuredContent"]["factories"][0]["factory"],
-        "base_frame.housing_block"
+        "base_frame.bolt_circle_flange"
     );
 }

@@ -57,16 +57,21 @@ pub fn reported((min, max): &Box3) -> [[f64; 3]; 2] {
 /// A failure in making a part.
 #[must_use]
 pub fn part_failure(failure: &Failure, part: &ResolvedPart) -> Diagnostic {
+    failed_in(failure, Some(&part.id), &part.factory, &part.made.lines)
+}
+
+/// The same where the part may not be there yet.
+#[must_use]
+pub(crate) fn failed_in(
+    failure: &Failure,
+    part: Option<&str>,
+    factory: &str,
+    lines: &[u32],
+) -> Diagnostic {
     let step = failure.doing.as_ref().and_then(|d| d.step);
-    let line = step
-        .and_then(|s| part.made.lines.get(s))
-        .map(|l| format!(", line {l}"));
-    let place = format!(
-        "part '{}', factory {}{}",
-        part.id,
-        part.factory,
-        line.unwrap_or_default()
-    );
+    let line = step.and_then(|s| lines.get(s)).map(|l| format!(", line {l}"));
+    let part = part.map(|id| format!("part '{id}', ")).unwrap_or_default();
+    let place = format!("{part}factory {factory}{}", line.unwrap_or_default());
     diagnostic(failure, &place)
 }
 

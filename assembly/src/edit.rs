@@ -84,16 +84,16 @@ impl Workshop {
                 .map_err(one)?;
             Change::Made
         };
-        Ok((change, self.state(id)?))
+        Ok((change, self.state(id).await?))
     }
 
     /// The state of an assembly.
     ///
     /// # Errors
     /// When it does not exist or no longer resolves.
-    pub fn state(&self, id: &str) -> Result<State, Faults> {
+    pub async fn state(&self, id: &str) -> Result<State, Faults> {
         let spec = self.store.load(id).map_err(one)?;
-        let resolved = resolve::assembly(&self.registry, &spec)?;
+        let resolved = resolve::assembly(self, &spec).await?;
         State::of(&spec, &resolved).map_err(one)
     }
 
@@ -119,7 +119,7 @@ impl Workshop {
             }
             None => Change::Made,
         };
-        let resolved = match resolve::part(&self.registry, &part, "") {
+        let resolved = match resolve::part(self, &part, "").await {
             Ok(resolved) => resolved,
             Err(more) => {
                 faults.extend(more);
@@ -133,7 +133,7 @@ impl Workshop {
         if change == Change::Made {
             spec.parts.push(part);
         }
-        let state = self.commit(&spec, change)?;
+        let state = self.commit(&spec, change).await?;
         Ok(Added {
             change,
             part: resolved,
@@ -150,7 +150,7 @@ impl Workshop {
     pub async fn mate(&self, assembly: &str, mut mate: Mate) -> Result<Mated, Faults> {
         let _lock = self.store.lock(assembly).await.map_err(one)?;
         let mut spec = self.store.load(assembly).map_err(one)?;
-        let before = resolve::assembly(&self.registry, &spec)?;
+        let before = resolve::assembly(self, &spec).await?;
         normalise(&mut mate.options);
         let mut faults: Faults = check_name("id", &mate.id).err().into_iter().collect();
         let change = match spec.mate(&mate.id) {
@@ -178,7 +178,7 @@ impl Workshop {
         if change == Change::Made {
             spec.mates.push(mate);
         }
-        let after = resolve::assembly(&self.registry, &spec)?;
+        let after = resolve::assembly(self, &spec).await?;
         let now = place::assembly(&after).map_err(one)?;
         let residual = now.residual(&resolved).map_err(one)?;
         if let Some(r) = residual.filter(|r| change == Change::Made && !r.holds()) {
@@ -233,7 +233,7 @@ impl Workshop {
             .expected(json!(names))));
         }
         spec.mates.retain(|m| m.id != id);
-        self.commit(&spec, Change::Made)
+        self.commit(&spec, Change::Made).await
     }
 
     /// Removes a part that no mate uses.
@@ -243,7 +243,7 @@ impl Workshop {
     pub async fn remove_part(&self, assembly: &str, id: &str) -> Result<State, Faults> {
         let _lock = self.store.lock(assembly).await.map_err(one)?;
         let mut spec = self.store.load(assembly).map_err(one)?;
-        let resolved = resolve::assembly(&self.registry, &spec)?;
+        let resolved = resolve::assembly(self, &spec).await?;
         if spec.part(id).is_none() {
             return Err(one(resolve::part_unknown(&resolved.parts, id, "name")));
         }
@@ -265,12 +265,12 @@ impl Workshop {
         if spec.root.as_deref() == Some(id) {
             spec.root = None;
         }
-        self.commit(&spec, Change::Made)
+        self.commit(&spec, Change::Made).await
     }
 
     /// Checks the whole specification, writes it, and gives the state it is in.
-    fn commit(&self, spec: &Assembly, change: Change) -> Result<State, Faults> {
-        let resolved = resolve::assembly(&self.registry, spec)?;
+    async fn commit(&self, spec: &Assembly, change: Change) -> Result<State, Faults> {
+        let resolved = resolve::assembly(self, spec).await?;
         self.commit_resolved(spec, &resolved, change)
     }
 

@@ -121,7 +121,7 @@ impl Workshop {
     pub async fn step(&self, spec: &Assembly) -> Result<Step, Faults> {
         let one = |d: Diagnostic| vec![d];
         let id = spec.id.as_str();
-        let resolved = resolve::assembly(&self.registry, spec)?;
+        let resolved = resolve::assembly(self, spec).await?;
         let measured = self.ready(id, &resolved).await?;
         let specification_sha256 = hash(spec).map_err(one)?;
         let (solids, instances) = tree(&resolved).map_err(one)?;

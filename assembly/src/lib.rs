@@ -9,6 +9,7 @@ pub mod draft;
 pub mod edit;
 pub mod export;
 mod interference;
+mod made;
 pub mod place;
 mod ports_check;
 pub mod realize;
@@ -23,6 +24,7 @@ use assemcad_factories::Registry;
 use assemcad_kernel::pool::Pool;
 use assemcad_model::diagnostic::Diagnostic;
 
+pub use crate::made::Made;
 use crate::store::Store;
 
 /// Everything that is wrong with a request: never empty.
@@ -37,6 +39,8 @@ pub struct Workshop {
     pub pool: Pool,
     /// The assemblies on disk.
     pub store: Store,
+    /// What was made already.
+    pub(crate) kept: made::Kept,
     /// How often a draft may be wrong before its decomposition counts as failed.
     pub draft_rounds: usize,
 }
@@ -51,6 +55,7 @@ impl Workshop {
             registry,
             pool,
             store: Store::open(root)?,
+            kept: made::Kept::default(),
             draft_rounds: draft::DEFAULT_ROUNDS,
         })
     }

@@ -131,6 +131,19 @@ impl Workshop {
         let checked = self.validate_draft(text).await?;
         let id = checked.id;
         let Some(spec) = checked.assembly else {
+            let errors = |d: &&Diagnostic| d.severity == Severity::Error;
+            if checked.diagnostics.iter().filter(errors).all(of_kernel) {
+                // The draft is in order and every part has a recipe: it is the solids that fail.
+                run.end(Verdict::Pass, "the form is in order".to_owned(), Vec::new());
+                run.end(Verdict::Pass, "every part has a recipe".to_owned(), Vec::new());
+                let verdict = verdict_of(&checked.diagnostics);
+                run.end(verdict, String::new(), checked.diagnostics);
+                return Ok(Realized {
+                    id,
+                    stages: run.all(),
+                    kept: None,
+                });
+            }
             let summary = format!("round {} of {}", checked.round, self.draft_rounds);
             run.end(Verdict::Fail, summary, checked.diagnostics);
             return Ok(Realized {
@@ -163,8 +176,16 @@ impl Workshop {
             run.end(verdict, String::new(), faults);
             Stopped
         };
-        let resolved = resolve::assembly(&self.registry, spec)
-            .map_err(|faults| stop(run, Verdict::Fail, faults))?;
+        let resolved = match resolve::assembly(self, spec).await {
+            Ok(resolved) => resolved,
+            Err(faults) => {
+                // What the kernel could not make had a recipe: that is the next stage's failure.
+                if faults.iter().all(of_kernel) {
+                    run.end(Verdict::Pass, "every part has a recipe".to_owned(), Vec::new());
+                }
+                return Err(stop(run, verdict_of(&faults), faults));
+            }
+        };
         run.end(Verdict::Pass, recipes(&resolved), Vec::new());
 
         let mut built: Vec<Option<Built>> = Vec::new();
@@ -283,6 +304,19 @@ fn recipes(resolved: &Resolved) -> String {
     format!("{} factories: {}", factories.len(), factories.join(", "))
 }
 
+/// Whether the kernel or its worker said this, and not the specification's own check.
+fn of_kernel(d: &Diagnostic) -> bool {
+    matches!(
+        d.code,
+        Code::KernelFailed
+            | Code::WorkerCrashed
+            | Code::WorkerTimeout
+            | Code::WorkerCpuLimit
+            | Code::WorkerMemoryLimit
+            | Code::WorkerFailed
+    )
+}
+
 /// A refused geometry is wrong; a worker that was lost leaves the question open.
 fn verdict_of(faults: &[Diagnostic]) -> Verdict {
     let lost = |d: &Diagnostic| {
@@ -296,7 +330,8 @@ fn verdict_of(faults: &[Diagnostic]) -> Verdict {
                 | Code::Indeterminate
         )
     };
-    if faults.iter().all(lost) {
+    let errors = |d: &&Diagnostic| d.severity == Severity::Error;
+    if faults.iter().filter(errors).all(lost) {
         Verdict::Indeterminate
     } else {
         Verdict::Fail

@@ -2,17 +2,17 @@
 
 use std::sync::Arc;
 
-use assemcad_factories::Registry;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::mates::{Joint, MateType, Options};
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
 use assemcad_model::ports::Port;
 use assemcad_model::spec::{Assembly, End, Mate, Part};
-use assemcad_script::Evaluated;
+use futures::future::join_all;
 use serde_json::json;
 
-use crate::Faults;
+use crate::made::Made;
+use crate::{Faults, Workshop};
 
 /// A part with its recipe and ports.
 #[derive(Debug, Clone)]
@@ -21,8 +21,8 @@ pub struct ResolvedPart {
     pub id: String,
     /// Name of the factory.
     pub factory: String,
-    /// Recipe, ports, and the source lines of the recipe's operations.
-    pub made: Arc<Evaluated>,
+    /// Recipe, ports, and the source lines of the recipe's calls.
+    pub made: Arc<Made>,
 }
 
 impl ResolvedMate {
@@ -41,7 +41,7 @@ impl ResolvedPart {
     /// The part's ports.
     #[must_use]
     pub fn ports(&self) -> &[Port] {
-        &self.made.recipe.ports
+        &self.made.ports
     }
 }
 
@@ -77,11 +77,13 @@ pub struct Resolved {
 ///
 /// # Errors
 /// Everything that is wrong with its parts, or, where they are in order, with its mates.
-pub fn assembly(registry: &Registry, spec: &Assembly) -> Result<Resolved, Faults> {
+pub async fn assembly(workshop: &Workshop, spec: &Assembly) -> Result<Resolved, Faults> {
     let mut parts = Vec::new();
     let mut faults = Vec::new();
-    for (i, p) in spec.parts.iter().enumerate() {
-        match part(registry, p, &format!("parts[{i}]")) {
+    let places: Vec<String> = (0..spec.parts.len()).map(|i| format!("parts[{i}]")).collect();
+    let each = spec.parts.iter().zip(&places);
+    for result in join_all(each.map(|(p, place)| part(workshop, p, place))).await {
+        match result {
             Ok(p) => parts.push(p),
             Err(more) => faults.extend(more),
         }
@@ -107,11 +109,16 @@ pub fn assembly(registry: &Registry, spec: &Assembly) -> Result<Resolved, Faults
     Ok(Resolved { parts, mates, root })
 }
 
-/// Resolves one part: its factory found, its parameters checked, its recipe made.
+/// Resolves one part: its factory found, its parameters checked, recipe and ports made.
 ///
 /// # Errors
-/// Everything that is wrong with factory and parameters, `place` leading the paths.
-pub fn part(registry: &Registry, part: &Part, place: &str) -> Result<ResolvedPart, Faults> {
+/// Everything that is wrong with factory and parameters, `place` leading the paths; why the kernel makes
+/// no solid of them.
+pub async fn part(
+    workshop: &Workshop,
+    part: &Part,
+    place: &str,
+) -> Result<ResolvedPart, Faults> {
     let at = |field: &str| {
         if place.is_empty() {
             field.to_owned()
@@ -119,8 +126,9 @@ pub fn part(registry: &Registry, part: &Part, place: &str) -> Result<ResolvedPar
             format!("{place}.{field}")
         }
     };
-    let made = registry
-        .build(&part.factory, &part.params)
+    let made = workshop
+        .make(&part.factory, &part.params, Some(&part.id))
+        .await
         .map_err(|faults| {
             let under = |d: Diagnostic| {
                 let inner = d.place.clone();
@@ -130,7 +138,7 @@ pub fn part(registry: &Registry, part: &Part, place: &str) -> Result<ResolvedPar
             faults.into_iter().map(under).collect::<Faults>()
         })?;
     // A short name is written out, so that a factory added later does not make it mean another.
-    let factory = registry.get(&part.factory).map_err(|d| vec![*d])?.name();
+    let factory = workshop.registry.get(&part.factory).map_err(|d| vec![*d])?.name();
     Ok(ResolvedPart {
         id: part.id.clone(),
         factory: factory.to_owned(),

@@ -56,7 +56,7 @@ impl Workshop {
         ports: Option<Run>,
     ) -> Result<Report, Faults> {
         let id = spec.id.as_str();
-        let resolved = resolve::assembly(&self.registry, spec)?;
+        let resolved = resolve::assembly(self, spec).await?;
         if resolved.parts.is_empty() {
             return Err(vec![
                 Diagnostic::error(

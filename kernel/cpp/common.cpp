@@ -1,53 +1,20 @@
 #include "common.h"
 
-#include <BRepAdaptor_Curve2d.hxx>
-#include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepCheck_Analyzer.hxx>
 #include <BRepCheck_ListOfStatus.hxx>
 #include <BRepCheck_Result.hxx>
-#include <BRepGProp.hxx>
 #include <Message_Alert.hxx>
 #include <Message_ListOfAlert.hxx>
 #include <TopExp.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <TopoDS.hxx>
 
 #include <algorithm>
 #include <cctype>
 #include <vector>
 
 namespace assemcad {
-
-namespace {
-
-// The relative error at which the adaptive integration over a face stops.
-constexpr double INTEGRATION = 1e-7;
-
-// Whether a face is of a free-form surface or has a border that is one in its parameters.
-//
-// On other faces the integration of a fixed number of points is exact to 1e-12, inertia included. On
-// these it was off by up to 5e-4, and the adaptive one by 2e-6 at worst and 6e-9 on average.
-bool free_form(const TopoDS_Shape& shape) {
-  TopTools_IndexedMapOfShape faces;
-  TopExp::MapShapes(shape, TopAbs_FACE, faces);
-  for (Standard_Integer i = 1; i <= faces.Extent(); ++i) {
-    const TopoDS_Face& face = TopoDS::Face(faces(i));
-    if (BRepAdaptor_Surface(face, Standard_False).GetType() > GeomAbs_Torus) {
-      return true;
-    }
-    for (TopExp_Explorer it(face, TopAbs_EDGE); it.More(); it.Next()) {
-      if (BRepAdaptor_Curve2d(TopoDS::Edge(it.Current()), face).GetType() > GeomAbs_Parabola) {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-}  // namespace
 
 gp_Ax2 axes(const At& at) { return gp_Ax2(pnt(at.origin), dir(at.z), dir(at.x)); }
 
@@ -97,28 +64,6 @@ BoundsRaw raw_bounds(const Bnd_Box& box) {
   out.max = xyz(box.CornerMax());
   return out;
 }
-
-GProp_GProps volume_props(const TopoDS_Shape& shape) {
-  GProp_GProps props;
-  if (free_form(shape)) {
-    BRepGProp::VolumeProperties(shape, props, INTEGRATION);
-  } else {
-    BRepGProp::VolumeProperties(shape, props);
-  }
-  return props;
-}
-
-GProp_GProps surface_props(const TopoDS_Shape& shape) {
-  GProp_GProps props;
-  if (free_form(shape)) {
-    BRepGProp::SurfaceProperties(shape, props, INTEGRATION);
-  } else {
-    BRepGProp::SurfaceProperties(shape, props);
-  }
-  return props;
-}
-
-double volume_of(const TopoDS_Shape& shape) { return volume_props(shape).Mass(); }
 
 std::uint32_t count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind) {
   TopTools_IndexedMapOfShape map;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
 #include <Message_Report.hxx>
 #include <TopAbs_ShapeEnum.hxx>
 #include <TopoDS_Shape.hxx>
@@ -40,10 +39,6 @@ TopoDS_Shape moved(const Solid& solid, const Pose& pose);
 Bnd_Box tight_box(const TopoDS_Shape& shape);
 BoundsRaw raw_bounds(const Bnd_Box& box);
 
-// Volume, or area, with centre and inertia, integrated as finely as the faces need.
-GProp_GProps volume_props(const TopoDS_Shape& shape);
-GProp_GProps surface_props(const TopoDS_Shape& shape);
-double volume_of(const TopoDS_Shape& shape);
 std::uint32_t count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
 
 // "BRepCheck_NotClosed" or "BOPAlgo_AlertTooSmallEdge" as words: "not closed", "too small edge".

@@ -23,6 +23,7 @@
 #include <cmath>
 
 #include "common.h"
+#include "integrals.h"
 
 namespace assemcad {
 
@@ -60,8 +61,8 @@ void axial(FaceRaw& out, const gp_Ax3& position, const gp_Pnt& centroid) {
 
 FaceRaw facts(const TopoDS_Face& face) {
   FaceRaw out{};
-  const GProp_GProps props = surface_props(face);
-  const gp_Pnt centroid = props.CentreOfMass();
+  const Integrals found = integrals(face);
+  const gp_Pnt centroid = found.area_center;
   const BRepAdaptor_Surface surface(face);
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   BRepTools::UVBounds(face, u0, u1, v0, v1);
@@ -70,7 +71,7 @@ FaceRaw facts(const TopoDS_Face& face) {
   const gp_Pnt middle = surface.Value(u, v);
   const gp_Vec normal = outward(surface, face, u, v);
 
-  out.area = props.Mass();
+  out.area = found.area;
   out.bounds = raw_bounds(tight_box(face));
   out.origin = xyz(centroid);
   out.span = u1 - u0;

@@ -7,6 +7,7 @@
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_AbscissaPoint.hxx>
+#include <GProp_GProps.hxx>
 #include <GeomAPI_ProjectPointOnSurf.hxx>
 #include <Geom_Plane.hxx>
 #include <TopoDS.hxx>
@@ -17,6 +18,7 @@
 #include <cmath>
 
 #include "brep_common.h"
+#include "integrals.h"
 
 namespace assemcad {
 
@@ -127,24 +129,30 @@ CenterRaw center_of(const Solid& shape) {
     out.center = xyz(BRep_Tool::Pnt(TopoDS::Vertex(s)));
     return out;
   }
-  GProp_GProps props;
   switch (weighed_as(s)) {
     case TopAbs_VERTEX:
       throw Refused("a group of points has no length, area or volume to weigh it by");
     case TopAbs_EDGE:
-    case TopAbs_WIRE:
-      props = line_props(s);
-      break;
+    case TopAbs_WIRE: {
+      const GProp_GProps props = line_props(s);
+      out.mass = props.Mass();
+      out.center = xyz(props.CentreOfMass());
+      return out;
+    }
     case TopAbs_FACE:
-    case TopAbs_SHELL:
-      props = surface_props(s);
-      break;
-    default:
-      props = volume_props(s);
+    case TopAbs_SHELL: {
+      const Integrals found = integrals(s);
+      out.mass = found.area;
+      out.center = xyz(found.area_center);
+      return out;
+    }
+    default: {
+      const Integrals found = integrals(s);
+      out.mass = found.volume;
+      out.center = xyz(found.center);
+      return out;
+    }
   }
-  out.mass = props.Mass();
-  out.center = xyz(props.CentreOfMass());
-  return out;
 }
 
 MeasureRaw measure_of(const Solid& shape) {
@@ -154,10 +162,11 @@ MeasureRaw measure_of(const Solid& shape) {
     out.length = length_of(s);
     return out;
   }
+  const Integrals found = integrals(s);
   // A face of a face may count backwards: an area is one all the same.
-  out.area = std::abs(surface_props(s).Mass());
+  out.area = std::abs(found.area);
   if (count(s, TopAbs_SOLID) > 0) {
-    out.volume = volume_of(s);
+    out.volume = found.volume;
   }
   return out;
 }

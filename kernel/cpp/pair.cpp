@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "common.h"
+#include "integrals.h"
 
 namespace assemcad {
 
@@ -72,12 +73,12 @@ CommonRaw common_part(const Solid& a, const Pose& at_a, const Solid& b, const Po
   if (out.solids == 0) {
     return out;
   }
-  const GProp_GProps props = volume_props(op.Shape());
-  out.volume = props.Mass();
+  const Integrals found = integrals(op.Shape());
+  out.volume = found.volume;
   if (!(out.volume >= 0.0)) {
     throw Invalid("the common part came out inside-out");
   }
-  out.center = xyz(props.CentreOfMass());
+  out.center = xyz(found.center);
   out.bounds = raw_bounds(tight_box(op.Shape()));
   return out;
 }
@@ -114,7 +115,7 @@ AreaRaw face_common(const Solid& a, const Pose& at_a, std::uint32_t face_a, cons
   TopExp::MapShapes(op.Shape(), TopAbs_FACE, pieces);
   for (Standard_Integer i = 1; i <= pieces.Extent(); ++i) {
     // A reversed face counts as much.
-    out.area += std::abs(surface_props(pieces(i)).Mass());
+    out.area += std::abs(integrals(pieces(i)).area);
   }
   return out;
 }

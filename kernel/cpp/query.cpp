@@ -2,9 +2,9 @@
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
-#include <gp_Mat.hxx>
 
 #include "common.h"
+#include "integrals.h"
 
 namespace assemcad {
 
@@ -13,17 +13,14 @@ BoundsRaw bounds(const Solid& solid, const Pose& pose) {
 }
 
 MassRaw mass(const Solid& solid) {
-  const TopoDS_Shape& shape = shape_of(solid);
-  const GProp_GProps volume = volume_props(shape);
-  const GProp_GProps surface = surface_props(shape);
+  const Integrals found = integrals(shape_of(solid));
   MassRaw out;
-  out.volume = volume.Mass();
-  out.area = surface.Mass();
-  out.center = xyz(volume.CentreOfMass());
-  const gp_Mat inertia = volume.MatrixOfInertia();
+  out.volume = found.volume;
+  out.area = found.area;
+  out.center = xyz(found.center);
   for (int row = 0; row < 3; ++row) {
     for (int column = 0; column < 3; ++column) {
-      out.inertia[3 * row + column] = inertia(row + 1, column + 1) + 0.0;
+      out.inertia[3 * row + column] = found.inertia(row + 1, column + 1) + 0.0;
     }
   }
   return out;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "common.h"
+#include "integrals.h"
 
 namespace assemcad {
 
@@ -39,14 +40,14 @@ struct Walk {
       throw Refused("a product of the file has no shape");
     }
     const TopoDS_Shape placed = shape.Moved(location);
-    const GProp_GProps props = volume_props(placed);
+    const Integrals found = integrals(placed);
     LeafRaw out;
     for (const std::string& step : path) {
       out.path.push_back(step);
     }
     out.product = name(product);
-    out.volume = props.Mass();
-    out.center = xyz(props.CentreOfMass());
+    out.volume = found.volume;
+    out.center = xyz(found.center);
     out.bounds = raw_bounds(tight_box(placed));
     out.solids = count(placed, TopAbs_SOLID);
     leaves.push_back(std::move(out));

@@ -145,12 +145,13 @@ impl Shape {
 
     /// Volume, area, centre and inertia.
     ///
-    /// Exact to about 1e-12 for solids whose faces are planes, cylinders, cones, spheres and tori with
-    /// borders along their parameters; to about 1e-6 where free-form faces or borders, such as the
-    /// intersection of two slanted cylinders, are integrated numerically.
+    /// Integrated to about 1e-12 over the faces as they are. Where a border is itself an approximation,
+    /// such as the intersection of two slanted cylinders, the result is as good as that border: about
+    /// 1e-8.
     ///
     /// # Errors
-    /// When the kernel fails or a number comes out that is not finite.
+    /// When the kernel fails, the integrals do not settle to 1e-9, or a number comes out that is not
+    /// finite.
     pub fn mass(&self) -> Result<Mass> {
         if let Some(known) = self.mass.get() {
             return Ok(*known);

@@ -183,7 +183,8 @@ impl ServerHandler for Server {
         };
         let given = request.arguments.unwrap_or_default();
         let text = prompt
-            .text(&self.workshop.registry, &given, self.workshop.draft_rounds)
+            .text(&self.workshop, &given)
+            .await
             .map_err(|d| ErrorData::invalid_params(d.to_string(), Some(json!(d))))?;
         let message = PromptMessage::new_text(Role::User, text);
         let result = GetPromptResult::new(vec![message]).with_description(prompt.description);

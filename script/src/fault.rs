@@ -119,8 +119,7 @@ pub(crate) fn diagnostic(
         ErrorKind::Scope(_) => unknown_name(&text),
         ErrorKind::Internal(_) => Fault::new("the interpreter met a fault of its own here")
             .hint("write the statement in another way"),
-        _ => crate::hints::missing(&text, written(error))
-            .unwrap_or_else(|| other(&text, limits)),
+        _ => crate::hints::missing(&text, written(error)).unwrap_or_else(|| other(&text, limits)),
     };
     fault.diagnostic(name, line)
 }
@@ -206,7 +205,7 @@ fn syntax(text: &str) -> Fault {
 fn unknown_name(text: &str) -> Fault {
     let wanted = text.split('`').nth(1).unwrap_or_default();
     let fault = Fault::new(format!("there is nothing of the name '{}'", clip(wanted)));
-    if let Some(hint) = crate::scan::name_hint(wanted) {
+    if let Some(hint) = crate::hints::name_hint(wanted) {
         return fault.hint(hint);
     }
     match assemcad_model::name::nearest(wanted, crate::language::names(), 3).as_slice() {
@@ -227,6 +226,8 @@ fn other(text: &str, limits: &Limits) -> Fault {
         too_many_ticks(limits)
     } else if text.starts_with("Evaluation cancelled") {
         too_long(limits)
+    } else if text.contains("type annotation") || text.contains("is implemented only for") {
+        Fault::new("this type has no meaning here").hint("leave the type out")
     } else if text.contains("recursion level") {
         Fault::new("values are nested too deeply").hint("keep lists and dicts flat")
     } else {

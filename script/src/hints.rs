@@ -1,4 +1,5 @@
-//! What to write instead of a method that cannot be there: the script only records.
+//! What to write instead: of names that Python has, and of methods that cannot be there because the
+//! script only records.
 
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
@@ -47,10 +48,37 @@ fn near_or(fault: Fault, near: &[&str], all: &[&str]) -> Fault {
 
 /// What asks for measures, which nobody knows while the script runs.
 const MEASURES: [&str; 31] = [
-    "size", "Volume", "Area", "Length", "Center", "CenterOfBoundBox", "centerOfMass", "BoundingBox",
-    "geomType", "isValid", "objects", "plane", "all", "largestDimension", "toPnt", "normalAt",
-    "positionAt", "tangentAt", "startPoint", "endPoint", "Vertices", "Edges", "Wires", "Faces",
-    "Shells", "Solids", "x", "y", "z", "toTuple", "ctx",
+    "size",
+    "Volume",
+    "Area",
+    "Length",
+    "Center",
+    "CenterOfBoundBox",
+    "centerOfMass",
+    "BoundingBox",
+    "geomType",
+    "isValid",
+    "objects",
+    "plane",
+    "all",
+    "largestDimension",
+    "toPnt",
+    "normalAt",
+    "positionAt",
+    "tangentAt",
+    "startPoint",
+    "endPoint",
+    "Vertices",
+    "Edges",
+    "Wires",
+    "Faces",
+    "Shells",
+    "Solids",
+    "x",
+    "y",
+    "z",
+    "toTuple",
+    "ctx",
 ];
 
 fn of_handle(kind: &str, wanted: &str) -> Fault {
@@ -68,7 +96,9 @@ fn of_handle(kind: &str, wanted: &str) -> Fault {
                 "Vertices" | "Edges" | "Wires" | "Faces" | "Shells" | "Solids" => {
                     "write .faces(), .edges() and so on, with a selector"
                 }
-                _ => "compute it from the numbers of the script, or select with \">Z\" and the like",
+                _ => {
+                    "compute it from the numbers of the script, or select with \">Z\" and the like"
+                }
             };
             return fault.hint(format!(
                 "the solid is made after the script has run and cannot be asked; {instead}"
@@ -82,8 +112,9 @@ fn of_handle(kind: &str, wanted: &str) -> Fault {
     }
     match (kind, near.is_empty()) {
         ("Shapes", _) => fault.hint("take one: shapes[0], or workplane.item(0).val()"),
-        ("Location", _) => fault
-            .hint("a location that a function is given is for shape.moved(loc) and shape.located(loc)"),
+        ("Location", _) => fault.hint(
+            "a location that a function is given is for shape.moved(loc) and shape.located(loc)",
+        ),
         (_, false) => fault.hint(format!("did you mean {}?", near.join(" or "))),
         (_, true) => fault.hint(format!("there are: {}", all.join(", "))),
     }
@@ -93,7 +124,9 @@ fn of_handle(kind: &str, wanted: &str) -> Fault {
 fn elsewhere(wanted: &str) -> Option<&'static str> {
     Some(match wanted {
         "text" => "there are no fonts; draw letters as outlines",
-        "sketch" | "placeSketch" | "Sketch" => "draw with rect, circle, polyline, lineTo, close and offset2D",
+        "sketch" | "placeSketch" | "Sketch" => {
+            "draw with rect, circle, polyline, lineTo, close and offset2D"
+        }
         "interpPlate" => "draw the solid with extrude, loft or sweep",
         "parametricCurve" | "parametricSurface" => {
             "compute the points in a list and write .spline(points)"
@@ -101,7 +134,9 @@ fn elsewhere(wanted: &str) -> Option<&'static str> {
         "export" | "exportSvg" | "exportStep" | "exportStl" | "toSvg" | "toOCC" | "wrapped" => {
             "a script writes no files: leave the solid in `result`"
         }
-        "filter" | "sort" | "map" | "apply" | "invoke" => "use a selector such as \">Z\" or \"%CYLINDER\"",
+        "filter" | "sort" | "map" | "apply" | "invoke" => {
+            "use a selector such as \">Z\" or \"%CYLINDER\""
+        }
         "cutEach" | "cboreCut" => "write .cut(...) with what is to be cut",
         "threePointArcTo" => "write .threePointArc(point1, point2)",
         _ => return None,
@@ -113,7 +148,11 @@ fn of_cq(wanted: &str, written: &str) -> Fault {
     let group = written.rsplit_once('.').map_or("", |(before, _)| before);
     let path = group.split_once('.').map_or("", |(_, path)| path).trim();
     let path = if cq::has(path) { path } else { "" };
-    let shown = if path.is_empty() { "cq".to_owned() } else { format!("cq.{path}") };
+    let shown = if path.is_empty() {
+        "cq".to_owned()
+    } else {
+        format!("cq.{path}")
+    };
     let fault = Fault::new(format!("{shown} has no '{}'", clip(wanted)));
     match wanted {
         "Assembly" | "Constraint" | "Color" => {
@@ -137,5 +176,29 @@ fn unsupported(operation: &str, kind: &str) -> Option<Fault> {
         _ => fault.hint(
             "how many objects there are is known only after the script has run: use .item(i), .first(), .last() or .each(lambda o: ...)",
         ),
+    })
+}
+
+/// What to write instead of a name that Python has.
+pub(crate) fn name_hint(name: &str) -> Option<&'static str> {
+    Some(match name {
+        "isinstance" | "issubclass" => "write `type(x) == \"list\"`",
+        "map" | "filter" => "write `[f(x) for x in items]`, with `if` to choose",
+        "set" | "frozenset" => "write a dict with the members as keys",
+        "open" | "input" | "exec" | "eval" | "compile" => "a script reaches nothing outside itself",
+        "Workplane" | "Vector" | "Plane" | "Location" | "Solid" | "Edge" | "Wire" | "Compound" => {
+            "it is behind cq: write cq.Workplane(\"XY\") and so on, or `from cadquery import Workplane`"
+        }
+        "pi" | "sin" | "cos" | "tan" | "sqrt" | "atan2" | "radians" | "degrees" | "floor"
+        | "ceil" => "it is in math: write math.pi, math.sin(x) and so on",
+        "Exception" | "ValueError" | "TypeError" | "RuntimeError" => "write `fail(message)`",
+        "true" => "write `True`",
+        "false" => "write `False`",
+        "null" | "none" => "write `None`",
+        "self" => "there are no classes: write functions",
+        "np" | "numpy" => "write lists, `for`, and math.sin(x) and so on",
+        "exporters" | "importers" => "a script reads and writes no files",
+        "format" => "write `\"bore %s leaves no wall\" % d`",
+        _ => return None,
     })
 }

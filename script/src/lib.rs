@@ -10,6 +10,7 @@
 mod factory;
 mod fault;
 mod hints;
+mod imports;
 mod involute;
 mod language;
 mod limits;

@@ -17,8 +17,10 @@ pub(crate) struct Recorder {
     pieces: usize,
     most_calls: usize,
     most_pieces: usize,
-    /// Line of the statement that is carried out: where an operator stands.
+    /// Where in the source the statement begins that is carried out, and its operators with it.
     pub(crate) statement: u32,
+    /// Where in the source lines end.
+    ends: Vec<u32>,
 }
 
 /// A recorder that values refer to: operators record too, and see nothing but their operands.
@@ -26,7 +28,8 @@ pub(crate) struct Recorder {
 pub(crate) struct Shared(Arc<Mutex<Recorder>>);
 
 impl Shared {
-    pub(crate) fn new(limits: &Limits) -> Self {
+    pub(crate) fn new(limits: &Limits, source: &str) -> Self {
+        let ends = source.match_indices('\n');
         Self(Arc::new(Mutex::new(Recorder {
             calls: Vec::new(),
             lines: Vec::new(),
@@ -34,6 +37,7 @@ impl Shared {
             most_calls: limits.operations,
             most_pieces: limits.pieces,
             statement: 0,
+            ends: ends.filter_map(|(at, _)| u32::try_from(at).ok()).collect(),
         })))
     }
 
@@ -83,6 +87,12 @@ impl Recorder {
         Ok(())
     }
 
+    /// The 1-based line of the statement that is carried out.
+    pub(crate) fn line(&self) -> u32 {
+        let before = self.ends.partition_point(|end| *end < self.statement);
+        u32::try_from(before + 1).unwrap_or(u32::MAX)
+    }
+
     /// The call of an index.
     pub(crate) fn call(&self, index: Ref) -> Option<&Call> {
         self.calls.get(index as usize)
@@ -102,10 +112,14 @@ impl Recorder {
     }
 }
 
-/// How many pieces an argument holds: members of long lists and pieces of long texts.
+/// How many pieces an argument holds: members of long lists, parts of selectors and outlines, and
+/// stretches of long texts.
 fn pieces(value: &Json) -> usize {
     match value {
         Json::String(text) => text.len() / 64,
+        Json::Array(items) if items.iter().any(Json::is_object) => {
+            items.iter().map(|item| 1 + pieces(item)).sum()
+        }
         Json::Array(items) if items.len() > 3 || items.iter().any(Json::is_array) => items.len(),
         Json::Object(fields) => fields.values().map(pieces).sum(),
         _ => 0,

@@ -95,10 +95,14 @@ impl Job {
                 if !broken.is_empty() {
                     return Err(broken.iter().map(|m| fault::of_params(m)).collect());
                 }
-                let result =
-                    result.map_err(|e| {
-                        vec![fault::diagnostic(&job.name, &job.limits, &session.lines, &e)]
-                    })?;
+                let result = result.map_err(|e| {
+                    vec![fault::diagnostic(
+                        &job.name,
+                        &job.limits,
+                        &session.lines,
+                        &e,
+                    )]
+                })?;
                 let hint = "end build(p) with `return` and the finished workplane";
                 built(job, session, "build(p) returned", result, hint)
             })
@@ -163,9 +167,15 @@ impl Job {
             return Err(all(faults));
         }
         let lines = Lines(crate::scan::calls(&source, &dialect));
-        let session = Session::new(&self.limits, lines);
-        let one =
-            |e: &starlark::Error| vec![fault::diagnostic(&self.name, &self.limits, &session.lines, e)];
+        let session = Session::new(&self.limits, lines, &source);
+        let one = |e: &starlark::Error| {
+            vec![fault::diagnostic(
+                &self.name,
+                &self.limits,
+                &session.lines,
+                e,
+            )]
+        };
         let mut ast = AstModule::parse(&self.name, source, &dialect).map_err(|e| one(&e))?;
         ast.replace_binary_operators(&guard::operators());
         let deadline = Instant::now() + self.limits.time;
@@ -239,8 +249,7 @@ impl<'e, F: Fn() -> bool> BeforeStmtFuncDyn<'e> for Watch<F> {
         eval: &mut Evaluator<'v, '_, 'e>,
     ) -> starlark::Result<()> {
         self.statements += 1;
-        let line = fault::line_at(&span.to_file_span());
-        self.recorder.get().statement = line.unwrap_or(0);
+        self.recorder.get().statement = span.span.begin().get();
         let fault = if self.statements > self.limits.statements {
             Fault::new(format!(
                 "more than {} statements are carried out (limit statements)",
@@ -254,7 +263,7 @@ impl<'e, F: Fn() -> bool> BeforeStmtFuncDyn<'e> for Watch<F> {
         } else {
             return Ok(());
         };
-        let fault = match line {
+        let fault = match fault::line_at(&span.to_file_span()) {
             Some(line) => fault.line(line),
             None => fault,
         };

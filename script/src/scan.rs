@@ -189,13 +189,13 @@ impl Compared {
             | Token::GreaterThan
             | Token::GreaterEqual
             | Token::EqualEqual
-            | Token::BangEqual => {
-                if core::mem::replace(self.here(), true) {
-                    return Some(
-                        Fault::new("there are no chained comparisons")
-                            .hint("write `0 < x and x < 5` for `0 < x < 5`"),
-                    );
-                }
+            | Token::BangEqual
+                if core::mem::replace(self.here(), true) =>
+            {
+                return Some(
+                    Fault::new("there are no chained comparisons")
+                        .hint("write `0 < x and x < 5` for `0 < x < 5`"),
+                );
             }
             Token::OpeningRound | Token::OpeningSquare | Token::OpeningCurly => {
                 self.open.push(false);
@@ -269,30 +269,6 @@ fn reserved(word: &str) -> Fault {
         _ => "this word is reserved: take another name",
     };
     Fault::new(format!("there is no '{word}'")).hint(hint)
-}
-
-/// What to write instead of a name that Python has.
-pub(crate) fn name_hint(name: &str) -> Option<&'static str> {
-    Some(match name {
-        "isinstance" | "issubclass" => "write `type(x) == \"list\"`",
-        "map" | "filter" => "write `[f(x) for x in items]`, with `if` to choose",
-        "set" | "frozenset" => "write a dict with the members as keys",
-        "open" | "input" | "exec" | "eval" | "compile" => "a script reaches nothing outside itself",
-        "Workplane" | "Vector" | "Plane" | "Location" | "Solid" | "Edge" | "Wire" | "Compound" => {
-            "it is behind cq: write cq.Workplane(\"XY\") and so on, or `from cadquery import Workplane`"
-        }
-        "pi" | "sin" | "cos" | "tan" | "sqrt" | "atan2" | "radians" | "degrees" | "floor"
-        | "ceil" => "it is in math: write math.pi, math.sin(x) and so on",
-        "Exception" | "ValueError" | "TypeError" | "RuntimeError" => "write `fail(message)`",
-        "true" => "write `True`",
-        "false" => "write `False`",
-        "null" | "none" => "write `None`",
-        "self" => "there are no classes: write functions",
-        "np" | "numpy" => "write lists, `for`, and math.sin(x) and so on",
-        "exporters" | "importers" => "a script reads and writes no files",
-        "format" => "write `\"bore %s leaves no wall\" % d`",
-        _ => return None,
-    })
 }
 
 #[cfg(test)]

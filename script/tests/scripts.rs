@@ -11,11 +11,10 @@ use assemcad_script::script;
 
 #[test]
 fn every_script_is_recorded() {
-    let folder = std::path::PathBuf::from(
-        std::env::var_os("ASSEMCAD_SCRIPTS").unwrap_or_else(|| {
+    let folder =
+        std::path::PathBuf::from(std::env::var_os("ASSEMCAD_SCRIPTS").unwrap_or_else(|| {
             concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/cadquery/scripts").into()
-        }),
-    );
+        }));
     // The folder comes with the scripts of the comparison with CadQuery.
     let Ok(entries) = std::fs::read_dir(&folder) else {
         return;
@@ -35,7 +34,14 @@ fn every_script_is_recorded() {
                     let method = method(&call.call).unwrap();
                     let short = method.name.rsplit('.').next().unwrap();
                     let text = source.lines().nth(*line as usize - 1).unwrap_or_default();
-                    let ours = ["eachLocation", "eachObject", "union", "cut", "intersect", "split"];
+                    let ours = [
+                        "eachLocation",
+                        "eachObject",
+                        "union",
+                        "cut",
+                        "intersect",
+                        "split",
+                    ];
                     assert!(
                         text.contains(short) || ours.contains(&short),
                         "{name}:{line}: {short} is not in {text}"

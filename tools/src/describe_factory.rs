@@ -101,13 +101,13 @@ impl Tool for DescribeFactory {
             .get(&arguments.factory)
             .map_err(|d| vec![*d])?;
         let made = workshop
-            .registry
-            .build(&arguments.factory, &arguments.params)?;
+            .make(&arguments.factory, &arguments.params, None)
+            .await?;
         Ok(Answer {
             factory: arguments.factory.clone(),
             doc: factory.doc().to_owned(),
             params_schema: factory.schema().as_object().cloned().unwrap_or_default(),
-            ports: made.recipe.ports.iter().map(PortAnswer::from).collect(),
+            ports: made.ports.iter().map(PortAnswer::from).collect(),
             source_sha256: factory.source_sha256(),
         })
     }

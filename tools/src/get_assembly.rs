@@ -41,7 +41,7 @@ impl Tool for GetAssembly {
     const EFFECT: Effect = Effect::Reads;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
-        let state = workshop.state(&a.assembly)?;
+        let state = workshop.state(&a.assembly).await?;
         let specification = match a.detail {
             Detail::Concise => None,
             Detail::Full => Some(workshop.store.load(&a.assembly).map_err(|d| vec![d])?),

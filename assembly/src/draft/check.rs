@@ -1,19 +1,20 @@
 //! What can be wrong with a draft beyond its form.
 
-use assemcad_factories::Registry;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name::{self, nearest};
 use assemcad_model::param::clip;
-use assemcad_model::spec::{End, Mate};
+use assemcad_model::spec::{End, Mate, Part};
+use futures::future::join_all;
 use serde_json::{Value, json};
 
 use super::layout::{coincident, unreached, unsupported};
 use super::read::{Draft, Loose};
+use crate::Workshop;
 use crate::resolve::{self, ResolvedMate, ResolvedPart};
 
 /// Everything that is wrong with parts and mates. What depends on something that is itself at fault is
 /// not guessed at.
-pub(super) fn check(registry: &Registry, draft: &Draft) -> Vec<Diagnostic> {
+pub(super) async fn check(workshop: &Workshop, draft: &Draft) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     if draft.parts.is_empty() && draft.mates.is_empty() && draft.id.is_none() {
         // Nothing of it could be read; the form's faults say all.
@@ -36,7 +37,7 @@ pub(super) fn check(registry: &Registry, draft: &Draft) -> Vec<Diagnostic> {
     }
     names(draft, "parts", &draft.parts, &mut found);
     names(draft, "mates", &draft.mates, &mut found);
-    let parts = parts(registry, draft, &mut found);
+    let parts = parts(workshop, draft, &mut found).await;
     let mates = mates(draft, &parts, &mut found);
     let root = root(draft, &mut found);
     unreached(draft, root, &mut found);
@@ -74,25 +75,31 @@ fn names<T>(draft: &Draft, list: &str, all: &[Loose<T>], found: &mut Vec<Diagnos
 }
 
 /// The parts that resolve, each with its index in the draft.
-fn parts(
-    registry: &Registry,
+async fn parts(
+    workshop: &Workshop,
     draft: &Draft,
     found: &mut Vec<Diagnostic>,
 ) -> Vec<(usize, ResolvedPart)> {
     let mut resolved = Vec::new();
-    for (i, loose) in draft.parts.iter().enumerate() {
-        let Some(part) = &loose.whole else { continue };
-        let place = format!("parts[{i}]");
-        match resolve::part(registry, part, &place) {
+    let whole: Vec<(usize, &Part, String)> = draft
+        .parts
+        .iter()
+        .enumerate()
+        .filter_map(|(i, loose)| Some((i, loose.whole.as_ref()?, format!("parts[{i}]"))))
+        .collect();
+    let each = whole.iter().map(|(_, part, place)| resolve::part(workshop, part, place));
+    for ((i, _, place), result) in whole.iter().zip(join_all(each).await) {
+        let i = *i;
+        match result {
             Ok(part) => resolved.push((i, part)),
             Err(faults) => found.extend(faults.into_iter().map(|d| {
                 let at = if d.place == "factory" {
                     draft.place(&format!("{place}.factory"))
-                } else if d.place.starts_with(&place) {
+                } else if d.place.starts_with(place) {
                     draft.place(&d.place)
                 } else {
                     // A place in the factory's own source.
-                    format!("{}, {}", draft.place(&place), d.place)
+                    format!("{}, {}", draft.place(place), d.place)
                 };
                 synthesis(d.at(at))
             })),

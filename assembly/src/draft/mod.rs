@@ -34,18 +34,18 @@ pub struct Checked {
     pub round: usize,
 }
 
-/// Checks a text against format, factories, ports and mates. Nothing is built, written or counted.
+/// Checks a text against format, factories, ports and mates. Nothing is written or counted.
 #[must_use]
-pub fn check(registry: &assemcad_factories::Registry, text: &str) -> Checked {
+pub async fn check(workshop: &Workshop, text: &str) -> Checked {
     let draft = Draft::read(text);
     let mut diagnostics = draft.faults.clone();
-    diagnostics.extend(check::check(registry, &draft));
+    diagnostics.extend(check::check(workshop, &draft).await);
     // Stable: within a line, the order of the checks.
     diagnostics.sort_by_key(line);
     let wrong = diagnostics.iter().any(|d| d.severity == Severity::Error);
     let mut assembly = draft.assembly.filter(|_| !wrong);
     for part in assembly.iter_mut().flat_map(|a| &mut a.parts) {
-        if let Ok(factory) = registry.get(&part.factory) {
+        if let Ok(factory) = workshop.registry.get(&part.factory) {
             part.factory = factory.name().to_owned();
         }
     }
@@ -69,7 +69,7 @@ impl Workshop {
     /// # Errors
     /// When the draft was wrong in as many rounds as there are: what was tried, and what is still wrong.
     pub async fn validate_draft(&self, text: &str) -> Result<Checked, Faults> {
-        let mut checked = check(&self.registry, text);
+        let mut checked = check(self, text).await;
         let round = Round::of(&checked.diagnostics, sha256(text.as_bytes()));
         let valid = checked.assembly.is_some();
         let history = self

@@ -25,6 +25,9 @@ pub(crate) fn whole(value: Value<'_>, what: &str) -> Result<i32, Fault> {
     if let Some(n) = value.unpack_i32().filter(|_| value.get_type() == "int") {
         return Ok(n);
     }
+    if value.get_type() == "int" {
+        return Err(Fault::new(format!("{what} is too large a number")));
+    }
     let fault = Fault::new(format!("{what} is a whole number, not {}", kind_of(value)));
     Err(if value.get_type() == "float" {
         fault.hint("write int(x), or x // y instead of x / y")

@@ -32,7 +32,7 @@ impl<'v> Given<'v> {
         name: &str,
         params: &'static [Param],
     ) -> Result<Vec<Option<Value<'v>>>, Fault> {
-        let shown = || signature(name, params);
+        let shown = || signature(name, params.iter());
         if self.positions.len() > params.len() {
             let most = match params.len() {
                 0 => "no arguments".to_owned(),
@@ -58,7 +58,7 @@ impl<'v> Given<'v> {
                     None => shown(),
                 };
                 return Err(
-                    Fault::new(format!("{name} has no parameter '{}'", clip(word))).hint(hint)
+                    Fault::new(format!("{name} has no parameter '{}'", clip(word))).hint(hint),
                 );
             };
             if slot.is_some() {
@@ -81,8 +81,8 @@ impl<'v> Given<'v> {
 }
 
 /// How a function is called: its parameters with their defaults.
-pub(crate) fn signature(name: &str, params: &[Param]) -> String {
-    let params: Vec<String> = params.iter().map(parameter).collect();
+pub(crate) fn signature<'a>(name: &str, params: impl Iterator<Item = &'a Param>) -> String {
+    let params: Vec<String> = params.map(parameter).collect();
     format!("{name}({})", params.join(", "))
 }
 
@@ -107,6 +107,6 @@ fn parameter(param: &Param) -> String {
             }
             _ => format!("{name}=\"{text}\""),
         },
-        Default::Vector([x, y, z]) => format!("{name}=({x}, {y}, {z})"),
+        Default::Vector([x, y, z]) => format!("{name}=({x},{y},{z})"),
     }
 }

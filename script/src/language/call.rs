@@ -57,8 +57,15 @@ pub(crate) fn apply<'v>(
         named: Vec::new(),
     };
     let bound = splitting(method, given).bind(method.short(), params(method))?;
-    let line = on.recorder.get().statement;
-    let node = record(method, Some(on), &on.recorder, &bound, BTreeMap::new(), line)?;
+    let line = on.recorder.get().line();
+    let node = record(
+        method,
+        Some(on),
+        &on.recorder,
+        &bound,
+        BTreeMap::new(),
+        line,
+    )?;
     Ok(handle::value(method.gives, node, heap))
 }
 
@@ -71,8 +78,8 @@ pub(crate) fn params(method: &Method) -> &'static [Param] {
 }
 
 /// How a method is called.
-pub(crate) fn shown(method: &Method) -> String {
-    signature(method.short(), params(method))
+fn shown(method: &Method) -> String {
+    signature(method.short(), params(method).iter())
 }
 
 /// `split(other)`, which CadQuery has beside `split(keepTop, keepBottom)`.
@@ -103,7 +110,15 @@ fn per<'v>(
         _ => "eachObject",
     };
     let each = method(name).ok_or_else(|| at(Fault::new(format!("there is no {name}"))))?;
-    let node = record(each, Some(on), &session.recorder, &[], BTreeMap::new(), line).map_err(at)?;
+    let node = record(
+        each,
+        Some(on),
+        &session.recorder,
+        &[],
+        BTreeMap::new(),
+        line,
+    )
+    .map_err(at)?;
     let variable = referring(node.index);
     let symbol = handle::value(each.gives, node, eval.heap());
     let result = eval.eval_function(function, &[symbol], &[])?;
@@ -132,13 +147,15 @@ fn record(
     for (param, value) in params(method).iter().zip(bound) {
         let given = value.filter(|v| !(v.is_none() && param.default == Default::None));
         let written = match given {
-            Some(value) => Some(convert::write(param.kind, value, param.name).map_err(|fault| {
-                if fault.hint.is_some() {
-                    fault
-                } else {
-                    fault.hint(shown(method))
-                }
-            })?),
+            Some(value) => Some(convert::write(param.kind, value, param.name).map_err(
+                |fault| {
+                    if fault.hint.is_some() {
+                        fault
+                    } else {
+                        fault.hint(shown(method))
+                    }
+                },
+            )?),
             None => convert::default(param),
         };
         if let Some(written) = written {

@@ -49,9 +49,7 @@ pub(crate) fn write(kind: Kind, value: Value<'_>, what: &str) -> Result<Json, Fa
     match kind {
         Kind::Real => number(value, what).map(|n| json!(n)),
         Kind::Count => whole(value, what).map(|n| json!(n)),
-        Kind::Flag => flag
-            .map(|b| json!(b))
-            .ok_or_else(|| wrong("True or False")),
+        Kind::Flag => flag.map(|b| json!(b)).ok_or_else(|| wrong("True or False")),
         Kind::Text => text.map(|t| json!(t)).ok_or_else(|| wrong("a text")),
         Kind::Choice(choices) => one_of(value, choices, what),
         Kind::Vector => vector(value, what).map(|v| json!(v)),
@@ -90,11 +88,13 @@ pub(crate) fn write(kind: Kind, value: Value<'_>, what: &str) -> Result<Json, Fa
             (Some("next" | "last"), _) => Ok(json!(text)),
             (_, Some(face)) if face.kind == Type::Shape => Ok(referring(face.node.index)),
             (None, None) => number(value, what).map(|n| json!(n)),
-            _ => Err(wrong("a length, \"next\", \"last\" or a face (faces(...).val())")),
+            _ => Err(wrong(
+                "a length, \"next\", \"last\" or a face (faces(...).val())",
+            )),
         },
-        Kind::Plane => plane(value, &PLANES, what)?.ok_or_else(|| {
-            wrong("a plane's name or a cq.Plane")
-        }),
+        Kind::Plane => {
+            plane(value, &PLANES, what)?.ok_or_else(|| wrong("a plane's name or a cq.Plane"))
+        }
         Kind::PlaneOrShape => match (plane(value, &PLANES, what)?, handle(value)) {
             (Some(plane), _) => Ok(plane),
             (None, Some(shape)) if shape.kind == Type::Shape => Ok(referring(shape.node.index)),
@@ -103,8 +103,10 @@ pub(crate) fn write(kind: Kind, value: Value<'_>, what: &str) -> Result<Json, Fa
         Kind::MirrorPlane => match (text, solid(value)) {
             (Some(_), _) => one_of(value, &MIRRORS, what),
             (_, Some(face)) => Ok(face),
-            _ if Plane::from_value(value).is_some() => Err(wrong("a name such as \"XY\", a normal or a face")
-                .hint("write the plane's zDir, and its origin as basePointVector")),
+            _ if Plane::from_value(value).is_some() => {
+                Err(wrong("a name such as \"XY\", a normal or a face")
+                    .hint("write the plane's zDir, and its origin as basePointVector"))
+            }
             _ => vector(value, what).map(|v| json!(v)),
         },
         Kind::Location => place(value).unwrap_or_else(|| Err(wrong("a cq.Location"))),
@@ -112,7 +114,10 @@ pub(crate) fn write(kind: Kind, value: Value<'_>, what: &str) -> Result<Json, Fa
             place(v).unwrap_or_else(|| vector(v, what).map(|v| json!(v)))
         }),
         Kind::Workplane => match handle(value) {
-            Some(Handle { kind: Type::Workplane, node }) => Ok(referring(node.index)),
+            Some(Handle {
+                kind: Type::Workplane,
+                node,
+            }) => Ok(referring(node.index)),
             _ => Err(wrong("a workplane")),
         },
         Kind::Solid | Kind::PerLocation | Kind::PerObject => {
@@ -124,12 +129,26 @@ pub(crate) fn write(kind: Kind, value: Value<'_>, what: &str) -> Result<Json, Fa
         }
         Kind::Solids => match (solid(value), handle(value)) {
             (Some(one), _) => Ok(one),
-            (None, Some(Handle { kind: Type::Shapes, node })) => Ok(referring(node.index)),
-            _ => each(value, what, "a workplane, a shape or a list of shapes", |v, what| {
-                solid(v).ok_or_else(|| {
-                    Fault::new(format!("{what} is a workplane or a shape, not {}", kind_of(v)))
-                })
-            }),
+            (
+                None,
+                Some(Handle {
+                    kind: Type::Shapes,
+                    node,
+                }),
+            ) => Ok(referring(node.index)),
+            _ => each(
+                value,
+                what,
+                "a workplane, a shape or a list of shapes",
+                |v, what| {
+                    solid(v).ok_or_else(|| {
+                        Fault::new(format!(
+                            "{what} is a workplane or a shape, not {}",
+                            kind_of(v)
+                        ))
+                    })
+                },
+            ),
         },
         Kind::PortParams => port_params(value, what),
         Kind::Outline => match Outline::from_value(value) {
@@ -181,7 +200,9 @@ fn flags(kind: Kind, value: Value<'_>, n: usize, what: &str) -> Result<Json, Fau
         items(value).and_then(|list| list.into_iter().map(Value::unpack_bool).collect());
     match all {
         Some(all) if all.len() == n => Ok(json!(all)),
-        _ => Err(Fault::new(format!("{what} is True, False or {n} of them in a tuple"))),
+        _ => Err(Fault::new(format!(
+            "{what} is True, False or {n} of them in a tuple"
+        ))),
     }
 }
 
@@ -203,7 +224,12 @@ fn place(value: Value<'_>) -> Option<Result<Json, Fault>> {
     let handle = handle(value)?;
     // What a function of `each` is given may be a place too: the stack of polarArray holds places.
     let object = || {
-        handle.node.recorder.get().call(handle.node.index).is_some_and(|c| c.call == "eachObject")
+        handle
+            .node
+            .recorder
+            .get()
+            .call(handle.node.index)
+            .is_some_and(|c| c.call == "eachObject")
     };
     match handle.kind {
         Type::Location => Some(Ok(referring(handle.node.index))),
@@ -220,14 +246,20 @@ fn solid(value: Value<'_>) -> Option<Json> {
 
 fn port_params(value: Value<'_>, what: &str) -> Result<Json, Fault> {
     let wrong = || {
-        Fault::new(format!("{what} is a dict of names and numbers, not {}", kind_of(value)))
-            .hint("write for example {\"diameter\": 8, \"depth\": 20}")
+        Fault::new(format!(
+            "{what} is a dict of names and numbers, not {}",
+            kind_of(value)
+        ))
+        .hint("write for example {\"diameter\": 8, \"depth\": 20}")
     };
     let dict = DictRef::from_value(value).ok_or_else(wrong)?;
     let mut params = Map::new();
     for (name, value) in dict.iter() {
         let name = name.unpack_str().ok_or_else(wrong)?;
-        params.insert(name.to_owned(), json!(number(value, &format!("{what}[\"{}\"]", clip(name)))?));
+        params.insert(
+            name.to_owned(),
+            json!(number(value, &format!("{what}[\"{}\"]", clip(name)))?),
+        );
     }
     Ok(Json::Object(params))
 }

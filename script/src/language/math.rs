@@ -215,7 +215,9 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
         eval: &mut Evaluator<'v, '_, '_>,
     ) -> starlark::Result<Value<'v>> {
         let heap = eval.heap();
-        number(x, "x").and_then(|_| number(y, "y")).map_err(native)?;
+        number(x, "x")
+            .and_then(|_| number(y, "y"))
+            .map_err(native)?;
         Ok(heap.alloc((x.floor_div(y, heap)?, x.percent(y, heap)?)))
     }
 

@@ -15,6 +15,7 @@ mod declare;
 pub(crate) mod guard;
 mod math;
 mod ports;
+mod pure;
 pub(crate) mod session;
 mod text;
 

@@ -29,9 +29,10 @@ pub(crate) fn complete(method: &Method, args: &mut BTreeMap<String, Json>) -> Re
     match method.name {
         "Workplane.port" => whole_port(kind, args),
         "Workplane.gear_mesh_port" => {
+            ranges(kind, args)?;
             let outline = toothing(args)?.outline().map_err(Fault::new)?;
             args.insert("outline".to_owned(), json_of(&outline)?);
-            ranges(kind, args)
+            Ok(())
         }
         _ => ranges(kind, args),
     }
@@ -45,9 +46,7 @@ fn kind_of(
     let port_type = match method.name {
         "Workplane.bore_port" => PortType::Bore,
         "Workplane.shaft_port" => PortType::Shaft,
-        "Workplane.hole_with_port" if args.contains_key("bolt_diameter") => {
-            PortType::ClearanceHole
-        }
+        "Workplane.hole_with_port" if args.contains_key("bolt_diameter") => PortType::ClearanceHole,
         "Workplane.hole_with_port" | "Workplane.csk_hole_with_port" => PortType::Hole,
         // Its port's diameter and depth are those of the counterbore; the hole's are checked here.
         "Workplane.cbore_hole_with_port" => PortType::Hole,

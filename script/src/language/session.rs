@@ -38,10 +38,10 @@ pub(crate) struct Session {
 }
 
 impl Session {
-    pub(crate) fn new(limits: &Limits, lines: Lines) -> Self {
+    pub(crate) fn new(limits: &Limits, lines: Lines, source: &str) -> Self {
         Self {
             limits: limits.clone(),
-            recorder: Shared::new(limits),
+            recorder: Shared::new(limits, source),
             lines,
             declaration: RefCell::new(None),
             building: Cell::new(false),

@@ -61,7 +61,11 @@ fn formed(x: Value<'_>, form: &str) -> Result<String, Fault> {
         let wide: usize = if width.is_empty() {
             0
         } else {
-            width.parse().ok().filter(|w| *w < 100).ok_or_else(unknown)?
+            width
+                .parse()
+                .ok()
+                .filter(|w| *w < 100)
+                .ok_or_else(unknown)?
         };
         return Ok(if width.starts_with('0') {
             format!("{n:0wide$}")

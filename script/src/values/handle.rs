@@ -16,6 +16,7 @@ use assemcad_model::language::{Method, Type, method, methods};
 use assemcad_model::recipe::Ref;
 use starlark::eval::{Arguments, Evaluator};
 use starlark::starlark_simple_value;
+use starlark::typing::Ty;
 use starlark::values::{
     Heap, NoSerialize, ProvidesStaticType, StarlarkPagablePanic, StarlarkValue, Value,
     starlark_value,
@@ -179,7 +180,10 @@ fn member<'v>(
     // Of shapes the list is that of a chain's stack.
     let (on, shapes) = match kind {
         "Workplane" => (Some(node.index), false),
-        "Shapes" => (node.recorder.get().call(node.index).and_then(|c| c.on), true),
+        "Shapes" => (
+            node.recorder.get().call(node.index).and_then(|c| c.on),
+            true,
+        ),
         _ => (None, false),
     };
     let Some(on) = on else {
@@ -218,6 +222,10 @@ impl fmt::Display for Function {
 
 #[starlark_value(type = "method")]
 impl<'v> StarlarkValue<'v> for Function {
+    // `-> cq.Workplane` may be written and means nothing.
+    fn eval_type(&self) -> Option<Ty> {
+        Some(Ty::any())
+    }
     fn invoke(
         &self,
         _me: Value<'v>,

@@ -14,6 +14,7 @@ use allocative::Allocative;
 use assemcad_model::{language, selector};
 use starlark::eval::{Arguments, Evaluator};
 use starlark::starlark_simple_value;
+use starlark::typing::Ty;
 use starlark::values::{
     Heap, NoSerialize, ProvidesStaticType, StarlarkPagablePanic, StarlarkValue, Value,
     starlark_value,
@@ -26,6 +27,9 @@ use crate::language::{cq, kind_of};
 /// Longest text of a selector.
 const LONGEST_SELECTOR: usize = 1000;
 
+/// Most simple selectors in one.
+const LARGEST_SELECTOR: usize = 100;
+
 /// Deepest nesting of a selector: readers walk it by recursion.
 const DEEPEST_SELECTOR: usize = 32;
 
@@ -35,12 +39,19 @@ pub(crate) struct Selector {
     #[allocative(skip)]
     pub(crate) selector: selector::Selector,
     depth: usize,
+    /// How many simple ones it joins: of one that is joined to itself they double.
+    size: usize,
 }
 starlark_simple_value!(Selector);
 
 impl Selector {
     pub(crate) fn new(selector: selector::Selector) -> Self {
-        Self { selector, depth: 1 }
+        let (depth, size) = extent(&selector);
+        Self {
+            selector,
+            depth,
+            size,
+        }
     }
 
     /// Reads the text form.
@@ -51,8 +62,7 @@ impl Selector {
             )));
         }
         let selector = selector::Selector::parse(text).map_err(Fault::new)?;
-        let depth = depth(&selector);
-        Self { selector, depth }.checked()
+        Self::new(selector).checked()
     }
 
     /// Two selectors joined.
@@ -68,27 +78,32 @@ impl Selector {
             }
         };
         let depth = self.depth.max(other.depth) + 1;
-        if depth > DEEPEST_SELECTOR {
-            return Err(Self::too_deep());
+        let size = self.size + other.size;
+        if depth > DEEPEST_SELECTOR || size > LARGEST_SELECTOR {
+            return Err(Self::too_large());
         }
         let selector = how(
             Box::new(self.selector.clone()),
             Box::new(other.selector.clone()),
         );
-        Ok(Self { selector, depth })
+        Ok(Self {
+            selector,
+            depth,
+            size,
+        })
     }
 
     fn checked(self) -> Result<Self, Fault> {
-        if self.depth > DEEPEST_SELECTOR {
-            Err(Self::too_deep())
+        if self.depth > DEEPEST_SELECTOR || self.size > LARGEST_SELECTOR {
+            Err(Self::too_large())
         } else {
             Ok(self)
         }
     }
 
-    fn too_deep() -> Fault {
+    fn too_large() -> Fault {
         Fault::new(format!(
-            "a selector joins others at most {DEEPEST_SELECTOR} deep"
+            "a selector joins at most {LARGEST_SELECTOR} others, at most {DEEPEST_SELECTOR} deep"
         ))
         .hint("select in steps: .faces(\"|Z\").faces(\">Z\"), or add(...) what several select")
     }
@@ -96,12 +111,19 @@ impl Selector {
 
 type Join = fn(Box<selector::Selector>, Box<selector::Selector>) -> selector::Selector;
 
-fn depth(of: &selector::Selector) -> usize {
+/// How deep a selector is and how many simple ones it joins.
+fn extent(of: &selector::Selector) -> (usize, usize) {
     use selector::Selector::{And, Except, Not, Or};
     match of {
-        And(a, b) | Or(a, b) | Except(a, b) => 1 + depth(a).max(depth(b)),
-        Not(a) => 1 + depth(a),
-        _ => 1,
+        And(a, b) | Or(a, b) | Except(a, b) => {
+            let ((p, m), (q, n)) = (extent(a), extent(b));
+            (1 + p.max(q), m + n)
+        }
+        Not(a) => {
+            let (depth, size) = extent(a);
+            (depth + 1, size)
+        }
+        _ => (1, 1),
     }
 }
 
@@ -129,17 +151,13 @@ impl<'v> StarlarkValue<'v> for Selector {
         let negated = Self {
             selector: selector::Selector::Not(Box::new(self.selector.clone())),
             depth: self.depth + 1,
+            size: self.size,
         };
         negated.checked().map(|s| heap.alloc(s)).map_err(native)
     }
 }
 
-fn join<'v>(
-    a: &Selector,
-    b: Value<'v>,
-    how: Join,
-    heap: Heap<'v>,
-) -> starlark::Result<Value<'v>> {
+fn join<'v>(a: &Selector, b: Value<'v>, how: Join, heap: Heap<'v>) -> starlark::Result<Value<'v>> {
     a.joined(b, how).map(|s| heap.alloc(s)).map_err(native)
 }
 
@@ -177,6 +195,10 @@ impl fmt::Display for Item {
 
 #[starlark_value(type = "cq")]
 impl<'v> StarlarkValue<'v> for Item {
+    // `-> cq.Vector` may be written and means nothing.
+    fn eval_type(&self) -> Option<Ty> {
+        Some(Ty::any())
+    }
     fn get_attr(&self, name: &str, heap: Heap<'v>) -> Option<Value<'v>> {
         cq::attribute(self.path, name, heap)
     }
