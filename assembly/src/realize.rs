@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use assemcad_kernel::protocol::Built;
-use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::report::{Finding, Report, Verdict};
 use assemcad_model::spec::Assembly;
 use futures::future::join_all;

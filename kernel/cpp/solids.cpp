@@ -14,6 +14,7 @@
 #include <TopoDS.hxx>
 
 #include "brep_common.h"
+#include "integrals.h"
 
 namespace assemcad {
 
@@ -110,13 +111,13 @@ SolidPtr hollow(const Solid& solid, const Bundle& open, double thickness, std::u
     throw Invalid("the walls do not fit at this thickness");
   }
   if (!open.shapes.empty()) {
-    const double left = volume_of(maker.Shape());
+    const double left = integrals(maker.Shape()).volume;
     // Walls that are thicker than the solid leave it as it was, or inside-out; so does a solid of
     // which every face is open.
     if (!(left > 0.0)) {
       throw Invalid("there are no walls");
     }
-    if (thickness < 0.0 && left >= volume_of(shape) * (1.0 - 1e-9)) {
+    if (thickness < 0.0 && left >= integrals(shape).volume * (1.0 - 1e-9)) {
       throw Invalid("the walls fill the solid");
     }
     return wrap(maker.Shape());
