@@ -37,9 +37,20 @@ fn parts_are_as_accepted_and_as_computed() {
             json!({"case": "defaults", "params": {}}),
             "{name}"
         );
+        let doc = Registry::builtin().get(name).unwrap().doc();
         let mut made = Vec::new();
         for case in &cases {
             let part = sound(name, &case["params"]);
+            for port in &part.ports {
+                // Of numbered ports the first one is named.
+                let base = port.name.trim_end_matches(|c: char| c.is_ascii_digit());
+                let first = if base == port.name {
+                    base.to_owned()
+                } else {
+                    format!("{base}1")
+                };
+                assert!(doc.contains(&first), "{name}: {first} is not documented");
+            }
             as_computed(name, &case["params"], &part);
             made.push(json!({
                 "case": case["case"],
@@ -161,6 +172,10 @@ fn timings() {
             let all = began.elapsed().as_secs_f64();
             best = [best[0].min(script), best[1].min(all - script)];
         }
-        println!("{name}: script {:.1} ms, kernel {:.1} ms", 1e3 * best[0], 1e3 * best[1]);
+        println!(
+            "{name}: script {:.1} ms, kernel {:.1} ms",
+            1e3 * best[0],
+            1e3 * best[1]
+        );
     }
 }

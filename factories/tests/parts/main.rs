@@ -8,9 +8,9 @@
 )]
 
 #[cfg(test)]
-mod closed;
+mod blocks;
 #[cfg(test)]
-mod documented;
+mod closed;
 #[cfg(test)]
 mod fasteners;
 #[cfg(test)]
@@ -22,4 +22,8 @@ mod kit;
 #[cfg(test)]
 mod ranges;
 #[cfg(test)]
+mod rounds;
+#[cfg(test)]
 mod sample;
+#[cfg(test)]
+mod tables;

@@ -100,14 +100,14 @@ fn plate(rng: &mut Rng) -> Value {
 
 fn housing(rng: &mut Rng) -> Value {
     let bore = rng.between(2.0, 500.0);
-    let height = bore + rng.between(1.5, 300.0);
+    let height = (bore + rng.between(1.5, 300.0)).max(5.0);
     let axis = if rng.chance(0.5) {
         0.0
     } else {
         rng.even(bore / 2.0 + 0.5, height - bore / 2.0)
     };
     json!({
-        "length": bore + rng.between(1.5, 300.0), "width": rng.between(1.0, 500.0), "height": height,
+        "length": (bore + rng.between(1.5, 300.0)).max(5.0), "width": rng.between(1.0, 500.0), "height": height,
         "bore_d": bore, "bore_height": axis,
     })
 }
