@@ -6,7 +6,7 @@ use serde_json::json;
 use super::kit::{NZ, X, Z, is, made, port, refused, ring, sound};
 
 /// d, then lengths with and without a shank next to each other, for the hexagon head (the shortest of
-/// ISO 4014) and for the socket head (where its table draws the line).
+/// ISO 4014) and for the socket head (where the rule of the factory draws the line).
 const LINES: [(f64, [f64; 2], [f64; 2]); 10] = [
     (3.0, [16.0, 20.0], [20.0, 25.0]),
     (4.0, [20.0, 25.0], [25.0, 30.0]),
