@@ -6,6 +6,7 @@ use assemcad_model::diagnostic::Diagnostic;
 use assemcad_model::ports::{Port, PortType};
 use serde_json::Value;
 
+pub const FLAT: PortType = PortType::FlatFace;
 pub const X: [f64; 3] = [1.0, 0.0, 0.0];
 pub const Y: [f64; 3] = [0.0, 1.0, 0.0];
 pub const Z: [f64; 3] = [0.0, 0.0, 1.0];
@@ -113,4 +114,12 @@ pub fn face(x: f64, y: f64) -> [(&'static str, f64); 2] {
 
 pub fn ring(d: f64, hole: f64) -> [(&'static str, f64); 3] {
     [("extent_x", d), ("extent_y", d), ("hole_diameter", hole)]
+}
+
+/// The ports of a sound part, of which there are so many.
+#[track_caller]
+pub fn ports(name: &str, params: Value, count: usize) -> Vec<Port> {
+    let ports = sound(name, &params).ports;
+    assert_eq!(ports.len(), count, "{ports:?}");
+    ports
 }
