@@ -4,7 +4,6 @@
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <ShapeUpgrade_RemoveLocations.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -211,32 +210,5 @@ SolidPtr shape_mirrored(const Solid& shape, const Vector& point, const Vector& n
   }
   return wrap(maker.Shape());
 }
-
-namespace {
-
-TopoDS_Shape baked(const TopoDS_Shape& shape) {
-  if (shape.ShapeType() == TopAbs_COMPOUND) {
-    std::vector<TopoDS_Shape> out;
-    for (const TopoDS_Shape& child : direct(shape)) {
-      out.push_back(baked(child));
-    }
-    return compound_from(out).Oriented(shape.Orientation());
-  }
-  // The tool leaves the location of the shape itself on it: as a member of a group it is an inner one.
-  // BRepBuilderAPI_Transform would write it into the geometry too, and a sphere that it has copied comes
-  // out of a cut as nothing (OCCT 7.7 and 7.8).
-  ShapeUpgrade_RemoveLocations tool;
-  tool.SetRemoveLevel(TopAbs_SHAPE);
-  tool.Remove(compound_from({shape}));
-  TopoDS_Iterator inside(tool.GetResult());
-  if (!inside.More()) {
-    throw Invalid("its locations could not be taken off");
-  }
-  return inside.Value();
-}
-
-}  // namespace
-
-SolidPtr shape_baked(const Solid& shape) { return wrap(baked(shape_of(shape))); }
 
 }  // namespace assemcad
