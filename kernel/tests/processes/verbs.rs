@@ -271,10 +271,6 @@ pub const VERBS: &[Verb] = &[
         let spot = face(&rect(3.0, 3.0, 7.0, 6.0, 4.0), &[]);
         vec![Shape::extruded_until(&b, &spot, None, true, false, -5.0).unwrap()]
     }),
-    ("hollow many arcs", || {
-        let s = bosses();
-        vec![s.hollowed(&[], -0.5, Corner::Arc).unwrap()]
-    }),
     ("hollow tube in", || {
         let s = face(
             &circle(0.0, 0.0, 0.0, 8.0),
