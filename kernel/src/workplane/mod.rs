@@ -63,6 +63,15 @@ pub fn carry_out(
     };
     for (step, call) in recipe.calls.iter().enumerate() {
         on_call(step, call);
+        if crate::memory::nearly_exhausted() {
+            return Err(Failed {
+                step,
+                error: KernelError {
+                    kind: crate::error::Kind::OutOfMemory,
+                    message: "what the part needs so far fills the memory".to_owned(),
+                },
+            });
+        }
         let value = run.call(step).map_err(|error| Failed { step, error })?;
         run.values.push(value);
     }
