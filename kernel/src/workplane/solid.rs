@@ -457,6 +457,7 @@ pub(super) fn fillet(args: &Args<'_>) -> Result<Value> {
     let radius = args.length("radius")?;
     let made = solid
         .filleted(&all, radius)
+        .and_then(|made| sound(made, || format!("the fillet of {radius} mm")))
         .map_err(|e| tight(e, &solid, &all, radius))?;
     finish(&node, made, true)
 }
@@ -467,10 +468,24 @@ pub(super) fn chamfer(args: &Args<'_>) -> Result<Value> {
     let (solid, edges) = (node.solid()?, edges(&node, "chamfer")?);
     let all: Vec<&Shape> = edges.iter().map(Rc::as_ref).collect();
     let length = args.length("length")?;
+    let second = args.real_or_none("length2")?;
     let made = solid
-        .chamfered(&all, length, args.real_or_none("length2")?)
+        .chamfered(&all, length, second)
+        .and_then(|made| sound(made, || format!("the chamfer of {length} mm")))
         .map_err(|e| tight(e, &solid, &all, length))?;
     finish(&node, made, false)
+}
+
+/// The shape, where it is valid: rounding further than a face reaches may make faces that cross.
+fn sound(made: Shape, what: impl FnOnce() -> String) -> Result<Shape> {
+    if made.is_valid()? {
+        Ok(made)
+    } else {
+        Err(KernelError::invalid(format!(
+            "{} could not be built: its faces cross each other",
+            what()
+        )))
+    }
 }
 
 /// Says what is small beside the size that was asked for.
@@ -490,7 +505,7 @@ fn tight(error: KernelError, solid: &Shape, edges: &[&Shape], size: f64) -> Kern
         Ok(least)
     };
     match narrow() {
-        Ok(least) if least.is_finite() && least < 2.0 * size => KernelError {
+        Ok(least) if least.is_finite() && least <= 2.0 * size => KernelError {
             message: format!(
                 "{}; {size} mm is asked for where a selected edge or the face beside it measures \
                  only {least:.3} mm",
@@ -513,8 +528,13 @@ pub(super) fn shell(args: &Args<'_>) -> Result<Value> {
         }
     }
     let open: Vec<&Shape> = open.iter().map(Rc::as_ref).collect();
-    let made = solid.hollowed(&open, args.real("thickness")?, corner(args.text("kind")?))?;
-    finish(&node, made, false)
+    let thickness = args.real("thickness")?;
+    let made = solid.hollowed(&open, thickness, corner(args.text("kind")?))?;
+    finish(
+        &node,
+        sound(made, || format!("the wall of {thickness} mm"))?,
+        false,
+    )
 }
 
 /// `split(keepTop, keepBottom)` or `split(splitter)`.
