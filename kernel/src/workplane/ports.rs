@@ -152,10 +152,13 @@ impl Drilled {
         let (mut tools, mut bores) = (Vec::new(), Vec::new());
         for at in &self.at {
             let mut found = pieces(&self.solid, &plain.moved(at)?, at)?;
-            let [x, y, z] = at.origin().into();
+            // Rounded here: as text, what is a little below 0 would be -0.000.
+            let [x, y, z] = at.origin().map(|n| (n * 1e3).round() / 1e3 + 0.0).into();
             let here = format!("the hole at ({x:.3}, {y:.3}, {z:.3})");
             let Some(last) = found.pop() else {
-                let [dx, dy, dz] = at.direction([0.0, 0.0, -1.0]);
+                let [dx, dy, dz] = at
+                    .direction([0.0, 0.0, -1.0])
+                    .map(|n| (n * 1e3).round() / 1e3 + 0.0);
                 return Err(KernelError::refused(format!(
                     "{here} removes nothing: going {:.3} mm along ({dx:.3}, {dy:.3}, {dz:.3}) it meets \
                      no material; the part spans {} mm. A hole goes against the workplane's normal: \
@@ -203,12 +206,14 @@ impl Drilled {
         with(&next, ports)
     }
 
-    /// The port at the far mouth of a through hole, where one is asked for.
+    /// The port at the far mouth of a through hole, where one is asked for. Down to `wide` the hole is
+    /// wider than its diameter.
     fn back(
         &self,
         args: &Args<'_>,
         index: usize,
         last: &Bore,
+        wide: f64,
         make: impl FnOnce(&str, &Placement, f64) -> Result<Port>,
     ) -> Result<Option<Port>> {
         let Some(name) = args.text_or_none("back")? else {
@@ -227,7 +232,7 @@ impl Drilled {
             )));
         }
         let name = numbered(name, self.at.len(), index);
-        make(&name, &end, last.end - last.mouth.max(0.0)).map(Some)
+        make(&name, &end, last.end - last.mouth.max(wide)).map(Some)
     }
 
     fn place(&self, index: usize) -> Result<Placement> {
@@ -237,12 +242,13 @@ impl Drilled {
             .ok_or_else(|| KernelError::internal("a hole has no place"))
     }
 
-    /// Cuts, and makes a port for each hole: `make` is told name, place of the mouth and depth.
+    /// Cuts, and makes a port for each hole of a diameter, which is wider down to `wide`: `make` is told
+    /// name, place of the mouth and depth.
     fn with_ports(
         &self,
         args: &Args<'_>,
         tool: &Shape,
-        diameter: f64,
+        (diameter, wide): (f64, f64),
         back_type: PortType,
         make: impl Fn(&str, &Placement, f64) -> Result<Port>,
     ) -> Result<Value> {
@@ -253,7 +259,7 @@ impl Drilled {
             let at = self.place(index)?;
             let name = numbered(base, bores.len(), index);
             ports.push(make(&name, &at, first.end)?);
-            ports.extend(self.back(args, index, last, |name, at, depth| {
+            ports.extend(self.back(args, index, last, wide, |name, at, depth| {
                 let found = params([("diameter", diameter), ("depth", depth)]);
                 port(name, back_type, at, found)
             })?);
@@ -264,9 +270,6 @@ impl Drilled {
 
 /// The FLAT_FACE port in the middle of a pattern: the largest square about it on the face.
 fn pattern_center(node: &Node, name: &str, at: &[Placement]) -> Result<Port> {
-    let Some(first) = at.first() else {
-        return Err(KernelError::internal("a pattern has no places"));
-    };
     let count = u32::try_from(at.len()).map_or(1.0, f64::from);
     let sum = at
         .iter()
@@ -274,10 +277,13 @@ fn pattern_center(node: &Node, name: &str, at: &[Placement]) -> Result<Port> {
         .sum::<super::value::Vector>();
     let [x, _, z] = node.plane.axes();
     let here = super::chain::plane(sum / count, x, z)?;
-    let level = here.axes();
-    let [_, _, normal] = first.axes();
-    if level.iter().all(|axis| axis.cross(&normal).norm() > 1e-6) {
-        return Err(KernelError::internal("a pattern lies in another plane"));
+    for place in at {
+        let [_, _, normal] = place.axes();
+        if (normal - z).norm() > 1e-6 {
+            return Err(KernelError::refused(
+                "the places look into different directions: a pattern has a center in one plane only",
+            ));
+        }
     }
     let solid = node.solid()?;
     let face = face_at(&solid, &here)?;
@@ -298,10 +304,16 @@ pub(super) fn bore(args: &Args<'_>) -> Result<Value> {
     let drilled = Drilled::of(args)?;
     let diameter = args.length("diameter")?;
     let tool = drill(diameter, drilled.depth)?;
-    drilled.with_ports(args, &tool, diameter, PortType::Bore, |name, at, depth| {
-        let found = params([("diameter", diameter), ("depth", depth)]);
-        port(name, PortType::Bore, at, found)
-    })
+    drilled.with_ports(
+        args,
+        &tool,
+        (diameter, 0.0),
+        PortType::Bore,
+        |name, at, depth| {
+            let found = params([("diameter", diameter), ("depth", depth)]);
+            port(name, PortType::Bore, at, found)
+        },
+    )
 }
 
 /// `hole_with_port(name, diameter, depth, bolt_diameter, back, center)`.
@@ -328,7 +340,7 @@ pub(super) fn hole(args: &Args<'_>) -> Result<Value> {
             params([("diameter", diameter), ("depth", depth)]),
         ),
     };
-    drilled.with_ports(args, &tool, diameter, PortType::Hole, make)
+    drilled.with_ports(args, &tool, (diameter, 0.0), PortType::Hole, make)
 }
 
 /// `cbore_hole_with_port(name, diameter, cboreDiameter, cboreDepth, depth, back, center)`.
@@ -337,16 +349,22 @@ pub(super) fn cbore(args: &Args<'_>) -> Result<Value> {
     let (narrow, wide) = (args.length("diameter")?, args.length("cboreDiameter")?);
     let floor = args.length("cboreDepth")?;
     let tool = drill(narrow, drilled.depth)?.fused(&[&drill(wide, floor)?], false, None)?;
-    drilled.with_ports(args, &tool, narrow, PortType::Hole, |name, at, depth| {
-        let at = *at * Placement::translation(0.0, 0.0, -floor);
-        let found = params([
-            ("diameter", wide),
-            ("depth", floor),
-            ("hole_diameter", narrow),
-            ("hole_depth", depth - floor),
-        ]);
-        port(name, PortType::CboreSeat, &at, found)
-    })
+    drilled.with_ports(
+        args,
+        &tool,
+        (narrow, floor),
+        PortType::Hole,
+        |name, at, depth| {
+            let at = *at * Placement::translation(0.0, 0.0, -floor);
+            let found = params([
+                ("diameter", wide),
+                ("depth", floor),
+                ("hole_diameter", narrow),
+                ("hole_depth", depth - floor),
+            ]);
+            port(name, PortType::CboreSeat, &at, found)
+        },
+    )
 }
 
 /// `csk_hole_with_port(name, diameter, cskDiameter, cskAngle, depth, back, center)`.
@@ -362,11 +380,17 @@ pub(super) fn csk(args: &Args<'_>) -> Result<Value> {
         )));
     }
     let tool = drill(narrow, drilled.depth)?.fused(&[&cone], false, None)?;
-    drilled.with_ports(args, &tool, narrow, PortType::Hole, |name, at, depth| {
-        let at = *at * Placement::translation(0.0, 0.0, -below);
-        let found = params([("diameter", narrow), ("depth", depth - below)]);
-        port(name, PortType::Hole, &at, found)
-    })
+    drilled.with_ports(
+        args,
+        &tool,
+        (narrow, below),
+        PortType::Hole,
+        |name, at, depth| {
+            let at = *at * Placement::translation(0.0, 0.0, -below);
+            let found = params([("diameter", narrow), ("depth", depth - below)]);
+            port(name, PortType::Hole, &at, found)
+        },
+    )
 }
 
 /// `tapped_hole_with_port(name, diameter, pitch, depth, hand, modelled_diameter, back, center)`.
@@ -399,7 +423,7 @@ pub(super) fn tapped(args: &Args<'_>) -> Result<Value> {
     for (index, (first, last)) in bores.iter().enumerate() {
         let at = drilled.place(index)?;
         ports.push(make(&numbered(base, bores.len(), index), &at, first.end)?);
-        ports.extend(drilled.back(args, index, last, make)?);
+        ports.extend(drilled.back(args, index, last, 0.0, make)?);
     }
     drilled.finish(args, cut, ports)
 }
@@ -458,7 +482,19 @@ pub(super) fn shaft(args: &Args<'_>) -> Result<Value> {
     let found = params([("diameter", diameter), ("length", length)]);
     let middle = Placement::translation(0.0, 0.0, length / 2.0);
     let ports = at_places(args, &middle, PortType::Shaft, &found)?;
-    grown(args, &made, ports)
+    let Value::Node(next) = grown(args, &made, ports)? else {
+        return Err(KernelError::internal("shafts are no workplane"));
+    };
+    let Some(center) = args.text_or_none("center")? else {
+        return Ok(Value::Node(next));
+    };
+    let node = args.on()?;
+    let at: Vec<Placement> = places(&node)?
+        .into_iter()
+        .map(|place| node.plane * place)
+        .collect();
+    let middle = pattern_center(&next, center, &at)?;
+    with(&next, vec![middle])
 }
 
 /// `gear_mesh_port(name, module, teeth, width, ...)`; the outline was computed by the front end.
