@@ -85,8 +85,7 @@ fn a_hole_in_the_seat_counts_out() {
 
 #[test]
 fn a_shaft_fills_its_bore() {
-    let block = cuboid([-20.0, -20.0, 0.0], [40.0, 40.0, 20.0])
-        .cut(&cylinder([0.0; 3], 8.0, 20.0));
+    let block = cuboid([-20.0, -20.0, 0.0], [40.0, 40.0, 20.0]).cut(&cylinder([0.0; 3], 8.0, 20.0));
     let place = Where::Axis {
         point: [0.0, 0.0, -100.0],
         direction: [0.0, 0.0, 1.0],

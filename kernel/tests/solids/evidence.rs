@@ -106,13 +106,11 @@ fn a_hole_of_every_kind() {
             ],
         );
         // A phantom: the tool missed the solid. A pin where the hole should be.
-        let pin = block()
-            .fuse(&cylinder([0.0, 0.0, 20.0], 5.0, 12.0));
+        let pin = block().fuse(&cylinder([0.0, 0.0, 20.0], 5.0, 12.0));
         assert!(!missing(&block(), &right).is_empty());
         assert!(!missing(&pin, &right).is_empty());
         // A wide counterbore in front leaves the hole too short; a keyway and a chamfer leave it one.
-        let wide = drilled(5.0, 12.0)
-            .cut(&cylinder([0.0, 0.0, 14.0], 9.0, 6.0));
+        let wide = drilled(5.0, 12.0).cut(&cylinder([0.0, 0.0, 14.0], 9.0, 6.0));
         assert!(!missing(&wide, &right).is_empty());
         let key = cuboid([0.0, -1.5, 8.0], [7.0, 3.0, 12.0]);
         let keyed = drilled(5.0, 12.0).cut(&key);
@@ -140,8 +138,7 @@ fn a_through_hole() {
 
 #[test]
 fn a_counterbore() {
-    let solid = drilled(3.3, 20.0)
-        .cut(&cylinder([0.0, 0.0, 13.0], 5.5, 7.0));
+    let solid = drilled(3.3, 20.0).cut(&cylinder([0.0, 0.0, 13.0], 5.5, 7.0));
     let params = [
         ("diameter", 11.0),
         ("depth", 7.0),
@@ -162,8 +159,7 @@ fn a_counterbore() {
 
 #[test]
 fn a_cylinder_of_every_kind() {
-    let solid = block()
-        .fuse(&cylinder([0.0, 0.0, 20.0], 5.0, 30.0));
+    let solid = block().fuse(&cylinder([0.0, 0.0, 20.0], 5.0, 30.0));
     for port_type in [
         PortType::Shaft,
         PortType::PressFit,
@@ -229,8 +225,7 @@ fn a_face() {
 #[test]
 fn a_seat() {
     // Under the head of a bolt: head of 10 mm above a shank of 6.
-    let bolt = cylinder([0.0, 0.0, 0.0], 5.0, 6.0)
-        .fuse(&cylinder([0.0, 0.0, -20.0], 3.0, 20.0));
+    let bolt = cylinder([0.0, 0.0, 0.0], 5.0, 6.0).fuse(&cylinder([0.0, 0.0, -20.0], 3.0, 20.0));
     let params = [("inner_diameter", 6.0), ("outer_diameter", 10.0)];
     let right = port(PortType::BoltSeat, ([0.0, 0.0, 0.0], -1.0), &params);
     let wrong = [

@@ -72,8 +72,7 @@ fn a_hole_and_a_pin() {
 
 #[test]
 fn pockets_have_normals_into_the_pocket() {
-    let b = cuboid([0.0; 3], [10.0; 3])
-        .cut(&cuboid([3.0, 3.0, 6.0], [4.0, 4.0, 10.0]));
+    let b = cuboid([0.0; 3], [10.0; 3]).cut(&cuboid([3.0, 3.0, 6.0], [4.0, 4.0, 10.0]));
     let floor = b
         .faces()
         .unwrap()

@@ -167,8 +167,7 @@ fn bad_numbers_are_refused_in_words() {
 
 #[test]
 fn bytes_come_back_unchanged() {
-    let shape = cuboid([0.0; 3], [10.0; 3])
-        .fuse(&cylinder([5.0, 5.0, 0.0], 3.0, 20.0));
+    let shape = cuboid([0.0; 3], [10.0; 3]).fuse(&cylinder([5.0, 5.0, 0.0], 3.0, 20.0));
     let bytes = shape.to_bytes().unwrap();
     let again = Shape::from_bytes(&bytes).unwrap();
     assert_eq!(again.to_bytes().unwrap(), bytes);
