@@ -1,5 +1,5 @@
 # The two commands of the README: `make demo` and `make test`. Both set up what they need.
-.PHONY: setup demo test lint ci clean
+.PHONY: setup demo test test-factories lint ci clean
 CARGO ?= cargo
 
 demo: setup
@@ -8,6 +8,10 @@ demo: setup
 
 test: setup
 	$(CARGO) test --quiet --workspace --no-fail-fast
+
+# Every built-in factory at two hundred random parameter sets, and gears at all corners of their ranges.
+test-factories: setup
+	$(CARGO) test --quiet -p assemcad-factories --test parts -- --ignored --skip timings
 
 setup:
 	@scripts/setup

@@ -32,9 +32,10 @@ const LIBRARIES: [&str; 23] = [
     "TKernel",
 ];
 
-const SOURCES: [&str; 21] = [
+const SOURCES: [&str; 22] = [
     "along",
     "areas",
+    "canonical",
     "combine",
     "common",
     "curves",

@@ -169,16 +169,27 @@ fn the_prompt_tells_what_a_draft_needs() {
     let tokens = text.chars().count() / 4;
     assert!(tokens < 4500, "{tokens} tokens");
     let names = assemcad_factories::Registry::builtin().names();
-    let mates = assemcad_model::mates::ALL.iter().map(|k| format!("`{}(", k.name));
-    let ports = assemcad_model::ports::ALL.iter().map(|k| format!("`{}`", k.name));
-    for word in names.into_iter().map(str::to_owned).chain(mates).chain(ports) {
+    let mates = assemcad_model::mates::ALL
+        .iter()
+        .map(|k| format!("`{}(", k.name));
+    let ports = assemcad_model::ports::ALL
+        .iter()
+        .map(|k| format!("`{}`", k.name));
+    for word in names
+        .into_iter()
+        .map(str::to_owned)
+        .chain(mates)
+        .chain(ports)
+    {
         assert!(text.contains(&word), "{word}");
     }
 
     // What a caller writes stays as it is.
     let odd = json!({"name": "decompose", "arguments": {"description": "with {{MATES}} in it"}});
     let odd = get(&mut kit, odd);
-    let odd = odd["result"]["messages"][0]["content"]["text"].as_str().unwrap();
+    let odd = odd["result"]["messages"][0]["content"]["text"]
+        .as_str()
+        .unwrap();
     assert_eq!(odd.matches("{{").count(), 1, "{odd}");
     assert!(odd.ends_with("with {{MATES}} in it\n"));
 

@@ -114,8 +114,14 @@ impl Pair {
         let corner = here * Placement::translation(r - 2.0 * m, -3.5 * m, -1.0);
         let frame = corner.frame(&Frame::WORLD);
         let around = Shape::cuboid(&frame, [4.0 * m, 7.0 * m, 6.0]).unwrap();
-        let one = self.solids[0].placed(&at[0]).unwrap().shared(&[&around], None);
-        let two = self.solids[1].placed(&at[1]).unwrap().shared(&[&around], None);
+        let one = self.solids[0]
+            .placed(&at[0])
+            .unwrap()
+            .shared(&[&around], None);
+        let two = self.solids[1]
+            .placed(&at[1])
+            .unwrap()
+            .shared(&[&around], None);
         let here = Placement::IDENTITY;
         distance(&one.unwrap(), &here, &two.unwrap(), &here)
             .unwrap()

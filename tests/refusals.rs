@@ -108,7 +108,10 @@ fn unknown_names_are_answered_with_the_valid_ones() {
         (&d["code"], &d["where"]),
         (&json!("param_unknown"), &json!("params.lenght"))
     );
-    assert_eq!(d["expected"], json!(["length", "width", "thickness", "bolt_d", "hole_d", "edge"]));
+    assert_eq!(
+        d["expected"],
+        json!(["length", "width", "thickness", "bolt_d", "hole_d", "edge"])
+    );
 
     let d = kit.refusal(
         "mate",

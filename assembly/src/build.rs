@@ -69,7 +69,9 @@ pub(crate) fn failed_in(
     lines: &[u32],
 ) -> Diagnostic {
     let step = failure.doing.as_ref().and_then(|d| d.step);
-    let line = step.and_then(|s| lines.get(s)).map(|l| format!(", line {l}"));
+    let line = step
+        .and_then(|s| lines.get(s))
+        .map(|l| format!(", line {l}"));
     let part = part.map(|id| format!("part '{id}', ")).unwrap_or_default();
     let place = format!("{part}factory {factory}{}", line.unwrap_or_default());
     diagnostic(failure, &place)

@@ -135,7 +135,11 @@ impl Workshop {
             if checked.diagnostics.iter().filter(errors).all(of_kernel) {
                 // The draft is in order and every part has a recipe: it is the solids that fail.
                 run.end(Verdict::Pass, "the form is in order".to_owned(), Vec::new());
-                run.end(Verdict::Pass, "every part has a recipe".to_owned(), Vec::new());
+                run.end(
+                    Verdict::Pass,
+                    "every part has a recipe".to_owned(),
+                    Vec::new(),
+                );
                 let verdict = verdict_of(&checked.diagnostics);
                 run.end(verdict, String::new(), checked.diagnostics);
                 return Ok(Realized {
@@ -181,7 +185,11 @@ impl Workshop {
             Err(faults) => {
                 // What the kernel could not make had a recipe: that is the next stage's failure.
                 if faults.iter().all(of_kernel) {
-                    run.end(Verdict::Pass, "every part has a recipe".to_owned(), Vec::new());
+                    run.end(
+                        Verdict::Pass,
+                        "every part has a recipe".to_owned(),
+                        Vec::new(),
+                    );
                 }
                 return Err(stop(run, verdict_of(&faults), faults));
             }

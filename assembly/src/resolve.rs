@@ -80,7 +80,9 @@ pub struct Resolved {
 pub async fn assembly(workshop: &Workshop, spec: &Assembly) -> Result<Resolved, Faults> {
     let mut parts = Vec::new();
     let mut faults = Vec::new();
-    let places: Vec<String> = (0..spec.parts.len()).map(|i| format!("parts[{i}]")).collect();
+    let places: Vec<String> = (0..spec.parts.len())
+        .map(|i| format!("parts[{i}]"))
+        .collect();
     let each = spec.parts.iter().zip(&places);
     for result in join_all(each.map(|(p, place)| part(workshop, p, place))).await {
         match result {
@@ -114,11 +116,7 @@ pub async fn assembly(workshop: &Workshop, spec: &Assembly) -> Result<Resolved, 
 /// # Errors
 /// Everything that is wrong with factory and parameters, `place` leading the paths; why the kernel makes
 /// no solid of them.
-pub async fn part(
-    workshop: &Workshop,
-    part: &Part,
-    place: &str,
-) -> Result<ResolvedPart, Faults> {
+pub async fn part(workshop: &Workshop, part: &Part, place: &str) -> Result<ResolvedPart, Faults> {
     let at = |field: &str| {
         if place.is_empty() {
             field.to_owned()
@@ -138,7 +136,11 @@ pub async fn part(
             faults.into_iter().map(under).collect::<Faults>()
         })?;
     // A short name is written out, so that a factory added later does not make it mean another.
-    let factory = workshop.registry.get(&part.factory).map_err(|d| vec![*d])?.name();
+    let factory = workshop
+        .registry
+        .get(&part.factory)
+        .map_err(|d| vec![*d])?
+        .name();
     Ok(ResolvedPart {
         id: part.id.clone(),
         factory: factory.to_owned(),

@@ -99,7 +99,10 @@ fn difference(here: &Facts, there: &Facts) -> Option<String> {
         ("low corner", here.min, there.min),
         ("high corner", here.max, there.max),
     ] {
-        if a.iter().zip(b).any(|(x, y)| (x - y).abs() > TOLERANCE * size.sqrt()) {
+        if a.iter()
+            .zip(b)
+            .any(|(x, y)| (x - y).abs() > TOLERANCE * size.sqrt())
+        {
             found.push(format!("{what} {a:?} for {b:?}"));
         }
     }

@@ -36,6 +36,8 @@ std::vector<TopoDS_Shape> inner_of(const TopoDS_Face& face);
 Handle(Adaptor3d_Curve) curve_along(const TopoDS_Shape& shape);
 // Where an edge or wire begins or ends.
 gp_Pnt end_of(const TopoDS_Shape& shape, bool last);
+// The same body, built anew in an order that its geometry alone decides.
+SolidPtr canonical(const TopoDS_Shape& shape);
 // A helix on a cylinder (half angle 0) or cone; a pitch below 0 turns backwards.
 TopoDS_Wire helix(double pitch, double height, double radius, const gp_Ax3& at, double half_angle,
                   bool left);

@@ -100,7 +100,6 @@ SolidPtr make_cone(const At& at, double base, double top, double height);
 SolidPtr make_sphere(const At& at, double radius);
 
 // place.cpp
-SolidPtr place(const Solid& solid, const Pose& pose);
 bool has_locations(const Solid& solid);
 
 // query.cpp

@@ -13,6 +13,8 @@
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopoDS.hxx>
 
+#include <cmath>
+
 #include "brep_common.h"
 #include "integrals.h"
 
@@ -117,10 +119,15 @@ SolidPtr hollow(const Solid& solid, const Bundle& open, double thickness, std::u
     if (!(left > 0.0)) {
       throw Invalid("there are no walls");
     }
-    if (thickness < 0.0 && left >= integrals(shape).volume * (1.0 - 1e-9)) {
+    const double own = integrals(shape).volume;
+    if (thickness < 0.0 && left >= own * (1.0 - 1e-9)) {
       throw Invalid("the walls fill the solid");
     }
-    return wrap(maker.Shape());
+    if (std::abs(left - own) <= own * 1e-9 &&
+        count(maker.Shape(), TopAbs_FACE) == count(shape, TopAbs_FACE)) {
+      throw Invalid("no walls could be made at this thickness");
+    }
+    return canonical(maker.Shape());
   }
   // Without an open face what came out is the solid moved in or out: the other wall.
   const TopoDS_Shell moved_wall = TopoDS::Shell(first_shell(maker.Shape()));
@@ -132,11 +139,11 @@ SolidPtr hollow(const Solid& solid, const Bundle& open, double thickness, std::u
   }
   const TopoDS_Shape made = both.Shape();
   if (BRepCheck_Analyzer(made).IsValid()) {
-    return wrap(made);
+    return canonical(made);
   }
   ShapeFix_Shape fix(made);
   fix.Perform();
-  return wrap(fix.Shape());
+  return canonical(fix.Shape());
 }
 
 SolidPtr solid_wedge(const At& at, double dx, double dy, double dz, double xmin, double zmin,

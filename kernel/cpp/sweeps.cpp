@@ -11,6 +11,7 @@
 #include <BRepPrimAPI_MakeRevol.hxx>
 #include <BRep_Tool.hxx>
 #include <LocOpe_DPrism.hxx>
+#include <Precision.hxx>
 #include <TopoDS.hxx>
 #include <gp_Lin.hxx>
 #include <gp_Pln.hxx>
@@ -147,14 +148,73 @@ SolidPtr extrude_tapered(const Solid& face, double slant, double taper) {
   if (reached < height * (1.0 - 1e-6)) {
     throw Refused("its sides meet before its end");
   }
-  return wrap(maker.Shape());
+  return canonical(maker.Shape());
 }
+
+namespace {
+
+// A tapered prism through all of a solid, to both sides of its face: narrower along the normal, wider
+// against it. OCCT's own two-sided one comes out with its planes either way round, and ends short of the
+// far side by the cosine of the taper.
+TopoDS_Shape tapered_through(const TopoDS_Shape& body, const TopoDS_Face& face, double taper,
+                             bool additive) {
+  BRepAdaptor_Surface flat(face, Standard_False);
+  if (flat.GetType() != GeomAbs_Plane) {
+    throw Refused("the face is not flat");
+  }
+  const gp_Pln plane = flat.Plane();
+  gp_Dir normal = plane.Position().Direct() ? plane.Axis().Direction()
+                                            : plane.Axis().Direction().Reversed();
+  if (face.Orientation() == TopAbs_REVERSED) {
+    normal.Reverse();
+  }
+  const Bnd_Box box = tight_box(body);
+  const gp_Pnt low = box.CornerMin();
+  const gp_Pnt high = box.CornerMax();
+  double ahead = 0.0;
+  double behind = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const gp_Pnt p((corner & 1) != 0 ? high.X() : low.X(), (corner & 2) != 0 ? high.Y() : low.Y(),
+                   (corner & 4) != 0 ? high.Z() : low.Z());
+    const double height = gp_Vec(plane.Location(), p).Dot(gp_Vec(normal));
+    ahead = std::max(ahead, height);
+    behind = std::max(behind, -height);
+  }
+  // What is taken away reaches a little past the solid.
+  const double past = additive ? 0.0 : 0.1 * (ahead + behind);
+  std::vector<TopoDS_Shape> tools;
+  for (const double height : {ahead, -behind}) {
+    if (std::abs(height) > Precision::Confusion()) {
+      const double slant = (height + std::copysign(past, height)) / std::cos(taper);
+      const LocOpe_DPrism maker(face, slant, taper);
+      if (!maker.IsDone() || maker.Shape().IsNull() || count(maker.Shape(), TopAbs_SOLID) == 0) {
+        throw Invalid("its sides cannot be slanted so much over this length");
+      }
+      tools.push_back(canonical(maker.Shape())->shape);
+    }
+  }
+  if (tools.empty()) {
+    throw Invalid("the profile does not meet the solid");
+  }
+  Bundle bundle;
+  bundle.shapes = tools;
+  const SolidPtr whole = wrap(body);
+  const TopoDS_Shape made = (additive ? fuse_all(*whole, bundle, false, 0.0)
+                                      : cut_all(*whole, bundle, 0.0))->shape;
+  const std::vector<TopoDS_Shape> parts = direct(made);
+  return made.ShapeType() == TopAbs_COMPOUND && parts.size() == 1 ? parts.front() : made;
+}
+
+}  // namespace
 
 SolidPtr extrude_until(const Solid& basis, const Solid& face, const Bundle& up_to, double taper,
                        bool additive) {
   const TopoDS_Shape& body = shape_of(basis);
   if (count(body, TopAbs_SOLID) == 0) {
     throw Refused("there is no solid to build on");
+  }
+  if (up_to.shapes.empty() && taper != 0.0) {
+    return wrap(tapered_through(body, face_in(shape_of(face)), taper, additive));
   }
   BRepFeat_MakeDPrism maker(body, face_in(shape_of(face)), TopoDS_Face(), taper,
                             additive ? 1 : 0, Standard_False);
@@ -166,7 +226,7 @@ SolidPtr extrude_until(const Solid& basis, const Solid& face, const Bundle& up_t
   if (!maker.IsDone()) {
     throw Invalid("the profile does not meet what it shall end at, or leaves the solid");
   }
-  return wrap(maker.Shape());
+  return taper == 0.0 ? wrap(maker.Shape()) : canonical(maker.Shape());
 }
 
 // Sides: 0 ahead, 1 behind, 2 both.

@@ -4,7 +4,6 @@
 #include <BRepTools_WireExplorer.hxx>
 #include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
-#include <ShapeUpgrade_RemoveLocations.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
@@ -211,35 +210,5 @@ SolidPtr shape_mirrored(const Solid& shape, const Vector& point, const Vector& n
   }
   return wrap(maker.Shape());
 }
-
-namespace {
-
-TopoDS_Shape baked(const TopoDS_Shape& shape) {
-  if (shape.ShapeType() == TopAbs_COMPOUND) {
-    std::vector<TopoDS_Shape> out;
-    for (const TopoDS_Shape& child : direct(shape)) {
-      out.push_back(baked(child));
-    }
-    return compound_from(out).Oriented(shape.Orientation());
-  }
-  // Both tools leave the location of the shape itself on it: it is taken off before and then written
-  // into the geometry.
-  const gp_Trsf own = shape.Location().Transformation();
-  ShapeUpgrade_RemoveLocations inner;
-  inner.SetRemoveLevel(TopAbs_SHAPE);
-  inner.Remove(shape.Located(TopLoc_Location()));
-  if (shape.Location().IsIdentity()) {
-    return inner.GetResult();
-  }
-  BRepBuilderAPI_Transform maker(inner.GetResult(), own, Standard_True);
-  if (!maker.IsDone()) {
-    throw Invalid("it could not be moved");
-  }
-  return maker.Shape();
-}
-
-}  // namespace
-
-SolidPtr shape_baked(const Solid& shape) { return wrap(baked(shape_of(shape))); }
 
 }  // namespace assemcad

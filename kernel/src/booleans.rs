@@ -106,8 +106,13 @@ impl Pile {
     fn holds(&self, point: [f64; 3]) -> Result<Option<bool>> {
         let mut found = Some(false);
         for (solid, bounds) in &self.solids {
-            let beyond = |(p, (low, high)): (&f64, (&f64, &f64))| *p < low - NEAR || *p > high + NEAR;
-            if point.iter().zip(bounds.min.iter().zip(&bounds.max)).any(beyond) {
+            let beyond =
+                |(p, (low, high)): (&f64, (&f64, &f64))| *p < low - NEAR || *p > high + NEAR;
+            if point
+                .iter()
+                .zip(bounds.min.iter().zip(&bounds.max))
+                .any(beyond)
+            {
                 continue;
             }
             match solid.classify(&[point], NEAR)?.first() {

@@ -138,7 +138,6 @@ pub mod bridge {
         fn make_cylinder(at: &At, radius: f64, height: f64) -> Result<UniquePtr<Solid>>;
         fn make_cone(at: &At, base: f64, top: f64, height: f64) -> Result<UniquePtr<Solid>>;
         fn make_sphere(at: &At, radius: f64) -> Result<UniquePtr<Solid>>;
-        fn place(solid: &Solid, pose: &Pose) -> Result<UniquePtr<Solid>>;
         fn has_locations(solid: &Solid) -> Result<bool>;
         fn bounds(solid: &Solid, pose: &Pose) -> Result<BoundsRaw>;
         fn mass(solid: &Solid) -> Result<MassRaw>;

@@ -84,10 +84,7 @@ impl Shape {
     /// # Errors
     /// When the placement is not rigid or a number is out of range.
     pub fn placed(&self, at: &Placement) -> Result<Self> {
-        let pose = pose(at)?;
-        let solid = bridge::place(self.solid()?, &pose)
-            .context(|| "the solid could not be moved".to_owned())?;
-        Self::wrap(solid)
+        self.moved(at)?.baked()
     }
 
     /// Whether a location is left anywhere on the shape; for tests.

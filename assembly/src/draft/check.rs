@@ -87,7 +87,9 @@ async fn parts(
         .enumerate()
         .filter_map(|(i, loose)| Some((i, loose.whole.as_ref()?, format!("parts[{i}]"))))
         .collect();
-    let each = whole.iter().map(|(_, part, place)| resolve::part(workshop, part, place));
+    let each = whole
+        .iter()
+        .map(|(_, part, place)| resolve::part(workshop, part, place));
     for ((i, _, place), result) in whole.iter().zip(join_all(each).await) {
         let i = *i;
         match result {

@@ -5,6 +5,8 @@ use core::f64::consts::PI;
 
 use serde_json::Value;
 
+use super::tables::{hex_sizes, keyway, medium, minor, socket_sizes, washer_sizes};
+
 /// Pieces of a part: signed volume and centre each; and the box around it all.
 #[derive(Debug, Default)]
 pub struct Closed {
@@ -13,6 +15,8 @@ pub struct Closed {
     pub max: [f64; 3],
     /// By how much the part may have less, where its outline is known to lie inside of the ideal one.
     pub less: f64,
+    /// How far off the kernel's own integral may be: a cross hole's rims are curves that it approximates.
+    pub slack: f64,
 }
 
 impl Closed {
@@ -88,47 +92,10 @@ fn integral(from: f64, to: f64, f: impl Fn(f64) -> f64) -> f64 {
         i if i % 2 == 1 => 4.0,
         _ => 2.0,
     };
-    let sum: f64 = (0..=steps).map(|i| weight(i) * f(from + h * f64::from(i))).sum();
+    let sum: f64 = (0..=steps)
+        .map(|i| weight(i) * f(from + h * f64::from(i)))
+        .sum();
     sum * h / 3.0
-}
-
-/// ISO 273, medium series: M3 to M6 by 10 percent or 0.4 mm and so on; here as the standard lists it.
-fn medium(bolt: f64) -> f64 {
-    let table = [
-        (3.0, 3.4),
-        (4.0, 4.5),
-        (5.0, 5.5),
-        (6.0, 6.6),
-        (8.0, 9.0),
-        (10.0, 11.0),
-        (12.0, 13.5),
-        (16.0, 17.5),
-        (20.0, 22.0),
-        (24.0, 26.0),
-    ];
-    table.iter().find(|(d, _)| *d == bolt).map_or(0.0, |(_, hole)| *hole)
-}
-
-/// The minor diameter of an internal thread by ISO 724: `D - 5/4 H`, `H = sqrt(3)/2 P`.
-fn minor(d: f64) -> f64 {
-    d - 1.25 * 3.0_f64.sqrt() / 2.0 * pitch(d)
-}
-
-/// ISO 261, coarse series.
-fn pitch(d: f64) -> f64 {
-    match d {
-        3.0 => 0.5,
-        4.0 => 0.7,
-        5.0 => 0.8,
-        6.0 => 1.0,
-        8.0 => 1.25,
-        10.0 => 1.5,
-        12.0 => 1.75,
-        16.0 => 2.0,
-        20.0 => 2.5,
-        24.0 => 3.0,
-        _ => f64::NAN,
-    }
 }
 
 fn plate(p: &Value) -> Closed {
@@ -181,7 +148,12 @@ fn bearing(p: &Value) -> Closed {
 }
 
 fn bracket(p: &Value) -> Closed {
-    let (l, h, w, t) = (n(p, "length"), n(p, "height"), n(p, "width"), n(p, "thickness"));
+    let (l, h, w, t) = (
+        n(p, "length"),
+        n(p, "height"),
+        n(p, "width"),
+        n(p, "thickness"),
+    );
     let r = n(p, "fillet");
     let mut c = Closed::default();
     c.add(l * w * t, [l / 2.0, 0.0, t / 2.0]);
@@ -199,7 +171,12 @@ fn bracket(p: &Value) -> Closed {
 }
 
 fn channel(p: &Value) -> Closed {
-    let (l, w, h, t) = (n(p, "length"), n(p, "width"), n(p, "height"), n(p, "thickness"));
+    let (l, w, h, t) = (
+        n(p, "length"),
+        n(p, "width"),
+        n(p, "height"),
+        n(p, "thickness"),
+    );
     let mut c = Closed::default();
     c.add(l * w * h, [0.0, 0.0, h / 2.0]);
     c.add(-l * (w - 2.0 * t) * (h - t), [0.0, 0.0, (h + t) / 2.0]);
@@ -222,29 +199,6 @@ fn flange(p: &Value) -> Closed {
     let area = disc(d) - disc(n(p, "bore_d")) - n(p, "bolt_count") * disc(hole);
     c.add(area * h, [0.0, 0.0, h / 2.0]);
     round(c, d, h)
-}
-
-/// DIN 6885-1: width and hub depth of the keyway of a bore.
-fn keyway(d: f64) -> (f64, f64) {
-    let rows = [
-        (8.0, 2.0, 1.0),
-        (10.0, 3.0, 1.4),
-        (12.0, 4.0, 1.8),
-        (17.0, 5.0, 2.3),
-        (22.0, 6.0, 2.8),
-        (30.0, 8.0, 3.3),
-        (38.0, 10.0, 3.3),
-        (44.0, 12.0, 3.3),
-        (50.0, 14.0, 3.8),
-        (58.0, 16.0, 4.3),
-        (65.0, 18.0, 4.4),
-        (75.0, 20.0, 4.9),
-        (85.0, 22.0, 5.4),
-        (95.0, 25.0, 5.4),
-        (110.0, 28.0, 6.4),
-    ];
-    let row = rows.iter().find(|(most, _, _)| d <= *most).unwrap();
-    (row.1, row.2)
 }
 
 fn hub(p: &Value) -> Closed {
@@ -270,42 +224,9 @@ fn hub(p: &Value) -> Closed {
         });
         let moment = (big * big - r * r) / 2.0 * PI * q * q;
         c.add(-volume, [moment / volume, 0.0, l / 2.0]);
+        c.slack = 1e-6 * volume;
     }
     round(c, 2.0 * big, l)
-}
-
-/// Width across flats and height of a hexagon head (ISO 4014), and of a nut (ISO 4032): s, k, m.
-fn hex_sizes(d: f64) -> (f64, f64, f64) {
-    match d {
-        3.0 => (5.5, 2.0, 2.4),
-        4.0 => (7.0, 2.8, 3.2),
-        5.0 => (8.0, 3.5, 4.7),
-        6.0 => (10.0, 4.0, 5.2),
-        8.0 => (13.0, 5.3, 6.8),
-        10.0 => (16.0, 6.4, 8.4),
-        12.0 => (18.0, 7.5, 10.8),
-        16.0 => (24.0, 10.0, 14.8),
-        20.0 => (30.0, 12.5, 18.0),
-        24.0 => (36.0, 15.0, 21.5),
-        _ => panic!("no size M{d}"),
-    }
-}
-
-/// Socket head (ISO 4762): head's diameter, socket's width and depth.
-fn socket_sizes(d: f64) -> (f64, f64, f64) {
-    match d {
-        3.0 => (5.5, 2.5, 1.3),
-        4.0 => (7.0, 3.0, 2.0),
-        5.0 => (8.5, 4.0, 2.5),
-        6.0 => (10.0, 5.0, 3.0),
-        8.0 => (13.0, 6.0, 4.0),
-        10.0 => (16.0, 8.0, 5.0),
-        12.0 => (18.0, 10.0, 6.0),
-        16.0 => (24.0, 14.0, 8.0),
-        20.0 => (30.0, 17.0, 10.0),
-        24.0 => (36.0, 19.0, 12.0),
-        _ => panic!("no size M{d}"),
-    }
 }
 
 fn bolt(p: &Value) -> Closed {
@@ -316,7 +237,7 @@ fn bolt(p: &Value) -> Closed {
         let (s, k, _) = hex_sizes(d);
         c.add(hexagon(s) * k, [0.0, 0.0, k / 2.0]);
         let e = s / 3.0_f64.sqrt();
-        return c.spans([-e, -s / 2.0, -l], [e, s / 2.0, k]);
+        return c.spans([-s / 2.0, -e, -l], [s / 2.0, e, k]);
     }
     let (dk, s, t) = socket_sizes(d);
     c.add(disc(dk) * d, [0.0, 0.0, d / 2.0]);
@@ -332,9 +253,7 @@ fn bolt(p: &Value) -> Closed {
         }
     };
     let corner = 0.6 * s - s / 3.0_f64.sqrt();
-    let whole = |f: &dyn Fn(f64) -> f64| {
-        integral(0.0, corner, f) + integral(corner, 0.1 * s, f)
-    };
+    let whole = |f: &dyn Fn(f64) -> f64| integral(0.0, corner, f) + integral(corner, 0.1 * s, f);
     let volume = whole(&outside);
     let depth = whole(&|x| x * outside(x)) / volume;
     c.add(-volume, [0.0, 0.0, d - depth]);
@@ -349,23 +268,11 @@ fn nut(p: &Value) -> Closed {
     let mut c = Closed::default();
     c.add((hexagon(s) - disc(minor(d))) * m, [0.0, 0.0, m / 2.0]);
     let e = s / 3.0_f64.sqrt();
-    c.spans([-e, -s / 2.0, 0.0], [e, s / 2.0, m])
+    c.spans([-s / 2.0, -e, 0.0], [s / 2.0, e, m])
 }
 
 fn washer(p: &Value) -> Closed {
-    let (d_i, d_o, h) = match n(p, "d") {
-        3.0 => (3.2, 7.0, 0.5),
-        4.0 => (4.3, 9.0, 0.8),
-        5.0 => (5.3, 10.0, 1.0),
-        6.0 => (6.4, 12.0, 1.6),
-        8.0 => (8.4, 16.0, 1.6),
-        10.0 => (10.5, 20.0, 2.0),
-        12.0 => (13.0, 24.0, 2.5),
-        16.0 => (17.0, 30.0, 3.0),
-        20.0 => (21.0, 37.0, 3.0),
-        24.0 => (25.0, 44.0, 4.0),
-        _ => (f64::NAN, f64::NAN, f64::NAN),
-    };
+    let (d_i, d_o, h) = washer_sizes(n(p, "d"));
     let (d_i, d_o, h) = (or(p, "d_i", d_i), or(p, "d_o", d_o), or(p, "thickness", h));
     let mut c = Closed::default();
     c.add((disc(d_o) - disc(d_i)) * h, [0.0, 0.0, h / 2.0]);
@@ -374,7 +281,10 @@ fn washer(p: &Value) -> Closed {
 
 fn gear(p: &Value) -> Closed {
     let (m, z, w) = (n(p, "module"), n(p, "teeth"), n(p, "width"));
-    let (alpha, x) = (n(p, "pressure_angle_deg").to_radians(), n(p, "profile_shift"));
+    let (alpha, x) = (
+        n(p, "pressure_angle_deg").to_radians(),
+        n(p, "profile_shift"),
+    );
     let pitch_r = m * z / 2.0;
     let (base, tip) = (pitch_r * libm::cos(alpha), pitch_r + m * (1.0 + x));
     let root = pitch_r - m * (1.25 - x);

@@ -6,6 +6,7 @@ use assemcad_model::diagnostic::Diagnostic;
 use assemcad_model::ports::{Port, PortType};
 use serde_json::Value;
 
+pub const FLAT: PortType = PortType::FlatFace;
 pub const X: [f64; 3] = [1.0, 0.0, 0.0];
 pub const Y: [f64; 3] = [0.0, 1.0, 0.0];
 pub const Z: [f64; 3] = [0.0, 0.0, 1.0];
@@ -46,7 +47,10 @@ pub fn faults(part: &Part) -> Vec<String> {
     for ((name, probe), answer) in probes.iter().zip(answers) {
         if !answer.held {
             let shows = &probe.shows;
-            found.push(format!("port '{name}': {shows} at {:?}: {}", answer.at, answer.found));
+            found.push(format!(
+                "port '{name}': {shows} at {:?}: {}",
+                answer.at, answer.found
+            ));
         }
     }
     found
@@ -96,7 +100,11 @@ pub fn is(
     assert_eq!((p.frame.z, p.frame.x), (z, x), "{name}");
     assert_eq!(p.params.len(), params.len(), "{name} {:?}", p.params);
     for (key, value) in params {
-        assert!((p.params[*key] - value).abs() < 1e-6, "{name} {key} {}", p.params[*key]);
+        assert!(
+            (p.params[*key] - value).abs() < 1e-6,
+            "{name} {key} {}",
+            p.params[*key]
+        );
     }
 }
 
@@ -106,4 +114,12 @@ pub fn face(x: f64, y: f64) -> [(&'static str, f64); 2] {
 
 pub fn ring(d: f64, hole: f64) -> [(&'static str, f64); 3] {
     [("extent_x", d), ("extent_y", d), ("hole_diameter", hole)]
+}
+
+/// The ports of a sound part, of which there are so many.
+#[track_caller]
+pub fn ports(name: &str, params: Value, count: usize) -> Vec<Port> {
+    let ports = sound(name, &params).ports;
+    assert_eq!(ports.len(), count, "{ports:?}");
+    ports
 }

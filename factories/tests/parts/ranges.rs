@@ -73,36 +73,46 @@ fn combinations(specs: &[ParamSpec]) -> Vec<Map<String, Value>> {
 }
 
 fn corners(name: &str) {
-    let factory = Registry::builtin().get(name).unwrap();
-    let (mut made, mut tries) = (0, 0);
-    for params in combinations(factory.params()) {
-        made += u32::from(tried(name, &Value::Object(params)));
-        tries += 1;
-    }
-    // And every end of a range on its own.
-    for spec in factory.params() {
-        for value in ends(spec) {
-            made += u32::from(tried(name, &json!({ spec.name.as_str(): value })));
-            tries += 1;
-        }
-    }
-    println!("{name}: {made} made of {tries} corners");
-    assert!(made >= 3, "{name}: only {made} of {tries} corners are made");
+    let specs = Registry::builtin().get(name).unwrap().params();
+    let all = combinations(specs).into_iter().map(Value::Object);
+    try_all(name, "corners", all.collect());
 }
 
-fn random(name: &str, count: u32) {
+/// Every end of every range on its own.
+fn ends_alone(name: &str) {
+    let specs = Registry::builtin().get(name).unwrap().params();
+    let alone = |spec: &ParamSpec| {
+        let name = spec.name.clone();
+        ends(spec)
+            .into_iter()
+            .map(move |value| json!({ name.as_str(): value }))
+    };
+    let made = try_all(name, "ends", specs.iter().flat_map(alone).collect());
+    assert!(made >= 2, "{name}: only {made} are made");
+}
+
+fn try_all(name: &str, what: &str, sets: Vec<Value>) -> usize {
+    let (began, tries) = (std::time::Instant::now(), sets.len());
+    let made = sets.iter().filter(|params| tried(name, params)).count();
+    println!(
+        "{name}: {made} made of {tries} {what} in {:?}",
+        began.elapsed()
+    );
+    made
+}
+
+fn random(name: &str, count: usize) {
     let mut rng = Rng::of(name);
-    let mut made = 0;
-    for _ in 0..count {
-        let params = sample(name, &mut rng);
-        made += u32::from(tried(name, &params));
-    }
-    println!("{name}: {made} made of {count} random sets");
-    assert!(2 * made >= count, "{name}: only {made} of {count} sets are made");
+    let sets = (0..count).map(|_| sample(name, &mut rng)).collect();
+    let made = try_all(name, "random sets", sets);
+    assert!(
+        2 * made >= count,
+        "{name}: only {made} of {count} sets are made"
+    );
 }
 
 macro_rules! of_each {
-    ($($module:ident $name:literal,)*) => {
+    ($($module:ident $name:literal $(#[$slow:meta])?,)*) => {
         #[test]
         fn every_factory_is_tried() {
             let mut names = vec![$($name),*];
@@ -111,6 +121,11 @@ macro_rules! of_each {
         }
         $(mod $module {
             #[test]
+            fn ends() {
+                super::ends_alone($name);
+            }
+            #[test]
+            $(#[$slow])?
             fn corners() {
                 super::corners($name);
             }
@@ -137,7 +152,8 @@ of_each! {
     l_bracket "base_frame.l_bracket",
     nut "fastener.nut",
     rect_plate "base_frame.rect_plate",
-    spur "gear.spur",
+    // Gears of 400 teeth by the dozen take minutes.
+    spur "gear.spur" #[ignore = "make test-factories"],
     stepped_shaft "base_frame.stepped_shaft",
     u_channel "base_frame.u_channel",
     washer "fastener.washer",

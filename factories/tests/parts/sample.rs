@@ -11,7 +11,9 @@ pub struct Rng(u64);
 impl Rng {
     /// One that begins where the name says.
     pub fn of(name: &str) -> Self {
-        let seed = name.bytes().fold(17_u64, |sum, b| sum.wrapping_mul(31).wrapping_add(b.into()));
+        let seed = name
+            .bytes()
+            .fold(17_u64, |sum, b| sum.wrapping_mul(31).wrapping_add(b.into()));
         let mut rng = Self(seed);
         rng.unit();
         rng
@@ -85,7 +87,11 @@ fn plate(rng: &mut Rng) -> Value {
         return json!({"length": length, "width": width, "thickness": thickness});
     }
     let (bolt_d, hole_d) = bolt_and_hole(rng);
-    let edge = if rng.chance(0.5) { 0.0 } else { rng.between(0.6, 3.0) * bolt_d };
+    let edge = if rng.chance(0.5) {
+        0.0
+    } else {
+        rng.between(0.6, 3.0) * bolt_d
+    };
     json!({
         "length": length + 6.0 * bolt_d, "width": width + 6.0 * bolt_d, "thickness": thickness,
         "bolt_d": bolt_d, "hole_d": hole_d, "edge": edge,
@@ -94,10 +100,14 @@ fn plate(rng: &mut Rng) -> Value {
 
 fn housing(rng: &mut Rng) -> Value {
     let bore = rng.between(2.0, 500.0);
-    let height = bore + rng.between(1.5, 300.0);
-    let axis = if rng.chance(0.5) { 0.0 } else { rng.even(bore / 2.0 + 0.5, height - bore / 2.0) };
+    let height = (bore + rng.between(1.5, 300.0)).max(5.0);
+    let axis = if rng.chance(0.5) {
+        0.0
+    } else {
+        rng.even(bore / 2.0 + 0.5, height - bore / 2.0)
+    };
     json!({
-        "length": bore + rng.between(1.5, 300.0), "width": rng.between(1.0, 500.0), "height": height,
+        "length": (bore + rng.between(1.5, 300.0)).max(5.0), "width": rng.between(1.0, 500.0), "height": height,
         "bore_d": bore, "bore_height": axis,
     })
 }
@@ -121,13 +131,17 @@ fn shaft(rng: &mut Rng) -> Value {
 fn bearing(rng: &mut Rng) -> Value {
     let d_i = rng.between(1.0, 500.0);
     let d_o = d_i + rng.between(1.0, 300.0);
-    let width = (d_o - d_i) * rng.even(0.15, 1.5);
+    let width = ((d_o - d_i) * rng.even(0.15, 1.5)).max(0.5);
     json!({"d_i": d_i, "d_o": d_o, "width": width})
 }
 
 fn bracket(rng: &mut Rng) -> Value {
     let t = rng.between(0.5, 40.0);
-    let fillet = if rng.chance(0.5) { 0.0 } else { rng.between(0.1, 40.0) };
+    let fillet = if rng.chance(0.5) {
+        0.0
+    } else {
+        rng.between(0.1, 40.0)
+    };
     let (length, height) = (rng.between(2.0, 300.0), rng.between(2.0, 300.0));
     let width = rng.between(2.0, 300.0);
     if rng.chance(0.4) {
@@ -148,23 +162,31 @@ fn bracket(rng: &mut Rng) -> Value {
 fn channel(rng: &mut Rng) -> Value {
     let t = rng.between(0.5, 50.0);
     json!({
-        "length": rng.between(1.0, 2000.0), "width": 2.0 * t + rng.between(0.8, 500.0),
-        "height": t + rng.between(0.8, 500.0), "thickness": t,
+        "length": rng.between(1.0, 2000.0), "width": (2.0 * t + rng.between(0.8, 500.0)).max(2.5),
+        "height": (t + rng.between(0.8, 500.0)).max(1.5), "thickness": t,
     })
 }
 
 fn boss(rng: &mut Rng) -> Value {
     let (bore, height) = (rng.between(0.5, 300.0), rng.between(0.5, 300.0));
-    let depth = if rng.chance(0.5) { 0.0 } else { rng.even(0.1, 1.1 * height) };
+    let depth = if rng.chance(0.5) {
+        0.0
+    } else {
+        rng.even(0.1, 1.1 * height)
+    };
     json!({
-        "diameter": bore + rng.between(0.4, 200.0), "height": height, "bore_d": bore, "bore_depth": depth,
+        "diameter": (bore + rng.between(0.4, 200.0)).max(1.0), "height": height, "bore_d": bore, "bore_depth": depth,
     })
 }
 
 fn flange(rng: &mut Rng) -> Value {
     let (bolt_d, hole_d) = bolt_and_hole(rng);
     let count = rng.whole(2, 16);
-    let bore = if rng.chance(0.3) { 0.0 } else { rng.between(0.5, 500.0) };
+    let bore = if rng.chance(0.3) {
+        0.0
+    } else {
+        rng.between(0.5, 500.0)
+    };
     let inner = (bore + 1.5 * bolt_d).max(bolt_d * f64::from(count) / 2.0);
     let circle = inner + rng.between(1.0, 100.0);
     let stated = rng.chance(0.7);
@@ -181,8 +203,16 @@ fn flange(rng: &mut Rng) -> Value {
 
 fn hub(rng: &mut Rng) -> Value {
     let keyway = rng.chance(0.5);
-    let bore = if keyway { rng.between(6.0, 110.0) } else { rng.between(0.5, 500.0) };
-    let screw = if bore > 6.0 && rng.chance(0.5) { rng.size() } else { 0.0 };
+    let bore = if keyway {
+        rng.between(6.0, 110.0)
+    } else {
+        rng.between(0.5, 500.0)
+    };
+    let screw = if bore > 6.0 && rng.chance(0.5) {
+        rng.size()
+    } else {
+        0.0
+    };
     json!({
         "diameter": bore * rng.even(1.3, 3.0) + 1.0 + screw / 2.0,
         "length": rng.between(0.5, 300.0) + screw, "bore_d": bore, "keyway": keyway, "set_screw_d": screw,
@@ -191,20 +221,36 @@ fn hub(rng: &mut Rng) -> Value {
 
 fn bolt(rng: &mut Rng) -> Value {
     let length = rng.between(3.0, 400.0);
-    let thread = if rng.chance(0.7) { 0.0 } else { rng.even(0.5, 1.2 * length) };
+    let thread = if rng.chance(0.7) {
+        0.0
+    } else {
+        rng.even(0.5, 1.2 * length)
+    };
     let head = if rng.chance(0.5) { "hex" } else { "socket" };
     json!({"d": rng.size(), "length": length, "head": head, "thread_length": thread})
 }
 
 fn nut(rng: &mut Rng) -> Value {
     let d = rng.size();
-    let width = if rng.chance(0.5) { 0.0 } else { d * rng.even(1.1, 3.0) };
-    let height = if rng.chance(0.5) { 0.0 } else { d * rng.even(0.05, 4.0) };
+    let width = if rng.chance(0.5) {
+        0.0
+    } else {
+        d * rng.even(1.1, 3.0)
+    };
+    let height = if rng.chance(0.5) {
+        0.0
+    } else {
+        d * rng.even(0.05, 4.0)
+    };
     json!({"d": d, "width": width, "height": height})
 }
 
 fn washer(rng: &mut Rng) -> Value {
-    let d = if rng.chance(0.7) { rng.size() } else { rng.between(1.0, 150.0) };
+    let d = if rng.chance(0.7) {
+        rng.size()
+    } else {
+        rng.between(1.0, 150.0)
+    };
     let own = |rng: &mut Rng, value: f64| if rng.chance(0.3) { 0.0 } else { value };
     if SIZES.contains(&d) {
         let d_i = rng.even(0.95, 1.2) * d;
@@ -220,9 +266,21 @@ fn washer(rng: &mut Rng) -> Value {
 
 fn gear(rng: &mut Rng) -> Value {
     let (module, teeth) = (rng.between(0.3, 20.0), rng.whole(14, 80));
-    let shift = if rng.chance(0.6) { 0.0 } else { rng.even(-0.2, 0.6) };
-    let angle = if rng.chance(0.7) { 20.0 } else { rng.even(17.0, 27.0) };
-    let thinner = if rng.chance(0.6) { 0.0 } else { rng.even(0.0, 0.2) * module };
+    let shift = if rng.chance(0.6) {
+        0.0
+    } else {
+        rng.even(-0.2, 0.6)
+    };
+    let angle = if rng.chance(0.7) {
+        20.0
+    } else {
+        rng.even(17.0, 27.0)
+    };
+    let thinner = if rng.chance(0.6) {
+        0.0
+    } else {
+        rng.even(0.0, 0.2) * module
+    };
     let root = module * (f64::from(teeth) - 2.5 + 2.0 * shift);
     json!({
         "module": module, "teeth": teeth, "width": rng.between(1.0, 200.0),

@@ -68,43 +68,71 @@ pub(super) fn combined(
     Ok(node.next_shape(cleaned(result, clean)?))
 }
 
-/// The union as the kernel makes it, held against what volumes and points say.
+/// Tolerances in mm with which a boolean is tried again when its result cannot be right: the kernel
+/// then takes for one what it had cut into slivers.
+const AGAIN: [Option<f64>; 3] = [None, Some(1e-6), Some(1e-5)];
+
+/// A boolean, held against what volumes and points say; tried again where it is wrong.
+///
+/// # Errors
+/// What is wrong with the first try, when none is right.
+fn tried(
+    kind: Kind,
+    base: &Shape,
+    others: &[Shape],
+    tolerance: Option<f64>,
+    make: impl Fn(Option<f64>) -> Result<Shape>,
+) -> Result<Shape> {
+    // With a tolerance of the script's own the volumes need not add up.
+    if tolerance.is_some() {
+        return make(tolerance);
+    }
+    let mut first = None;
+    for again in AGAIN {
+        match make(again).and_then(|result| judged(kind, base, others, result)) {
+            Ok(result) => return Ok(result),
+            // What is asked for is at fault, and no tolerance mends it.
+            Err(error) if error.kind == crate::error::Kind::Refused => return Err(error),
+            Err(error) => {
+                first.get_or_insert(error);
+            }
+        }
+    }
+    Err(first.unwrap_or_else(|| KernelError::internal("a boolean was not tried")))
+}
+
+/// The union as the kernel makes it.
 fn fused(base: &Shape, others: &[Shape], glue: bool, tolerance: Option<f64>) -> Result<Shape> {
-    let result = base.fused(&all(others), glue, tolerance)?;
-    judged(Kind::Fuse, base, others, result, tolerance)
+    tried(Kind::Fuse, base, others, tolerance, |tolerance| {
+        base.fused(&all(others), glue, tolerance)
+    })
 }
 
 pub(super) fn cut(base: &Shape, tools: &[Shape], tolerance: Option<f64>) -> Result<Shape> {
-    let result = base.without(&all(tools), tolerance)?;
+    let result = tried(Kind::Cut, base, tools, tolerance, |tolerance| {
+        base.without(&all(tools), tolerance)
+    })?;
     if result.parts(Topology::Solid)?.is_empty() {
         return Err(KernelError::refused("the cut leaves nothing of the solid"));
     }
-    judged(Kind::Cut, base, tools, result, tolerance)
+    Ok(result)
 }
 
 fn shared(base: &Shape, others: &[Shape], tolerance: Option<f64>) -> Result<Shape> {
-    let result = base.shared(&all(others), tolerance)?;
+    let result = tried(Kind::Common, base, others, tolerance, |tolerance| {
+        base.shared(&all(others), tolerance)
+    })?;
     if result.parts(Topology::Solid)?.is_empty() {
         return Err(KernelError::refused(format!(
             "the solids have no volume in common{}",
             apart(base, others)?
         )));
     }
-    judged(Kind::Common, base, others, result, tolerance)
+    Ok(result)
 }
 
 /// A boolean's result, held against its operands where they are solids.
-fn judged(
-    kind: Kind,
-    base: &Shape,
-    others: &[Shape],
-    result: Shape,
-    tolerance: Option<f64>,
-) -> Result<Shape> {
-    // With a tolerance of the script's own the volumes need not add up.
-    if tolerance.is_some() {
-        return Ok(result);
-    }
+fn judged(kind: Kind, base: &Shape, others: &[Shape], result: Shape) -> Result<Shape> {
     let mut solids = Vec::new();
     for other in others {
         solids.extend(other.parts(Topology::Solid)?);
@@ -154,9 +182,9 @@ pub(super) fn safe_union(
     if let Some(bridges) = bridges(&plain)? {
         let mut with = others.to_vec_of_handles()?;
         with.extend(bridges);
-        let joined = base.fused(&all(&with), false, tolerance)?;
+        let joined = fused(base, &with, false, tolerance)?;
         if count(&joined)? == 1 {
-            return judged(Kind::Fuse, base, &with, joined, tolerance);
+            return Ok(joined);
         }
     }
     let solids = plain.parts(Topology::Solid)?;

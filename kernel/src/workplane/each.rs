@@ -38,7 +38,7 @@ pub(super) fn places(node: &Node) -> Result<Vec<Placement>> {
 pub(super) fn at_each_place(node: &Rc<Node>, wire: &Shape, construction: bool) -> Result<Rc<Node>> {
     let mut objects = Vec::new();
     for place in places(node)? {
-        let shape = Rc::new(wire.moved(&(node.plane * place))?);
+        let shape = Rc::new(wire.moved(&(node.plane * place))?.baked()?);
         if !construction {
             node.context.borrow_mut().wires.push(Rc::clone(&shape));
         }

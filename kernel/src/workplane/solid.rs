@@ -337,6 +337,10 @@ pub(super) fn sweep(args: &Args<'_>) -> Result<Value> {
             .map(|face| face.swept(&how))
             .collect::<Result<Vec<Shape>>>()?
     };
+    let made = made
+        .into_iter()
+        .map(|made| sound(made, "the sweep"))
+        .collect::<Result<Vec<Shape>>>()?;
     Ok(Value::Node(combined(
         &node,
         made,
@@ -365,7 +369,7 @@ pub(super) fn loft(args: &Args<'_>) -> Result<Value> {
         )));
     }
     let all: Vec<&Shape> = sections.iter().map(Rc::as_ref).collect();
-    let made = Shape::lofted(&all, args.flag("ruled")?, true)?;
+    let made = sound(Shape::lofted(&all, args.flag("ruled")?, true)?, "the loft")?;
     Ok(Value::Node(combined(
         &node,
         vec![made],
@@ -457,7 +461,7 @@ pub(super) fn fillet(args: &Args<'_>) -> Result<Value> {
     let radius = args.length("radius")?;
     let made = solid
         .filleted(&all, radius)
-        .and_then(|made| sound(made, || format!("the fillet of {radius} mm")))
+        .and_then(|made| sound(made, &format!("the fillet of {radius} mm")))
         .map_err(|e| tight(e, &solid, &all, radius))?;
     finish(&node, made, true)
 }
@@ -468,22 +472,21 @@ pub(super) fn chamfer(args: &Args<'_>) -> Result<Value> {
     let (solid, edges) = (node.solid()?, edges(&node, "chamfer")?);
     let all: Vec<&Shape> = edges.iter().map(Rc::as_ref).collect();
     let length = args.length("length")?;
-    let second = args.real_or_none("length2")?;
     let made = solid
-        .chamfered(&all, length, second)
-        .and_then(|made| sound(made, || format!("the chamfer of {length} mm")))
+        .chamfered(&all, length, args.real_or_none("length2")?)
+        .and_then(|made| sound(made, &format!("the chamfer of {length} mm")))
         .map_err(|e| tight(e, &solid, &all, length))?;
     finish(&node, made, false)
 }
 
-/// The shape, where it is valid: rounding further than a face reaches may make faces that cross.
-fn sound(made: Shape, what: impl FnOnce() -> String) -> Result<Shape> {
+/// The shape, where it is valid: these verbs may leave one that is not, and nothing made of it later
+/// would be.
+fn sound(made: Shape, what: &str) -> Result<Shape> {
     if made.is_valid()? {
         Ok(made)
     } else {
         Err(KernelError::invalid(format!(
-            "{} could not be built: its faces cross each other",
-            what()
+            "{what} leaves no valid solid: faces cross each other or the boundary is open"
         )))
     }
 }
@@ -532,7 +535,7 @@ pub(super) fn shell(args: &Args<'_>) -> Result<Value> {
     let made = solid.hollowed(&open, thickness, corner(args.text("kind")?))?;
     finish(
         &node,
-        sound(made, || format!("the wall of {thickness} mm"))?,
+        sound(made, &format!("the shell of {thickness} mm"))?,
         false,
     )
 }

@@ -278,3 +278,33 @@ fn a_thread_of_a_helix() {
     let expected = 0.25 * PI * length * turn / libm::hypot(turn, 3.0);
     near(volume(&wire), expected, 1e-3);
 }
+
+#[test]
+fn tapered_cuts_go_all_the_way_through() {
+    let plate = cuboid_at([-20.0, -20.0, -5.0], 40.0, 40.0, 10.0);
+    let square = face(&rectangle(-10.0, -10.0, 10.0, 10.0, 5.0), &[]);
+    let shift = 10.0 * libm::tan(f64::to_radians(5.0));
+    let inwards = Shape::extruded_until(&plate, &square, None, true, false, -5.0).unwrap();
+    sound(&inwards);
+    // A frustum; CadQuery's cutThruAll(taper=5) has this volume too.
+    let side = 20.0 - 2.0 * shift;
+    let frustum = 10.0 / 3.0 * (400.0 + side * side + 20.0 * side);
+    near(volume(&inwards), 16000.0 - frustum, 1e-9);
+    let outwards = Shape::extruded_until(&plate, &square, None, true, false, 5.0).unwrap();
+    sound(&outwards);
+    let rounded = 4000.0 + 80.0 * shift * 5.0 + PI * shift * shift * 10.0 / 3.0;
+    near(volume(&outwards), 16000.0 - rounded, 1e-9);
+    let cleaned = outwards.cleaned().unwrap();
+    sound(&cleaned);
+    near(volume(&cleaned), 16000.0 - rounded, 1e-9);
+    // From the middle: narrower one way, wider the other.
+    let middle = face(&rectangle(-10.0, -10.0, 10.0, 10.0, 0.0), &[]);
+    let both = Shape::extruded_until(&plate, &middle, None, true, false, 5.0).unwrap();
+    sound(&both);
+    let half = shift / 2.0;
+    let (low, high) = (
+        2000.0 + 80.0 * half * 2.5 + PI * half * half * 5.0 / 3.0,
+        5.0 / 3.0 * (400.0 + (20.0 - shift) * (20.0 - shift) + 20.0 * (20.0 - shift)),
+    );
+    near(volume(&both), 16000.0 - low - high, 1e-9);
+}
