@@ -8,8 +8,10 @@ mod args;
 mod chain;
 mod combine;
 mod draw;
+mod dress;
 mod each;
 mod face;
+mod holes;
 mod ports;
 mod select;
 mod shapes;
@@ -337,11 +339,11 @@ fn on_workplane(args: &Args<'_>, short: &str) -> Result<Value> {
         "hole" => solid::hole(args),
         "cboreHole" => solid::cbore(args),
         "cskHole" => solid::csk(args),
-        "fillet" => solid::fillet(args),
-        "chamfer" => solid::chamfer(args),
-        "shell" => solid::shell(args),
-        "split" => solid::split(args),
-        "section" => solid::section(args),
+        "fillet" => dress::fillet(args),
+        "chamfer" => dress::chamfer(args),
+        "shell" => dress::shell(args),
+        "split" => dress::split(args),
+        "section" => dress::section(args),
         "union" => combine::union(args),
         "cut" => combine::cut_call(args),
         "intersect" => combine::intersect(args),
@@ -381,12 +383,12 @@ fn on_drawing_or_port(args: &Args<'_>, short: &str) -> Result<Value> {
         "polygon" => draw::polygon(args),
         "slot2D" => draw::slot(args),
         "outline" => draw::outline(args),
-        "bore_port" => ports::bore(args),
+        "bore_port" => holes::bore(args),
         "shaft_port" => ports::shaft(args),
-        "hole_with_port" => ports::hole(args),
-        "cbore_hole_with_port" => ports::cbore(args),
-        "csk_hole_with_port" => ports::csk(args),
-        "tapped_hole_with_port" => ports::tapped(args),
+        "hole_with_port" => holes::hole(args),
+        "cbore_hole_with_port" => holes::cbore(args),
+        "csk_hole_with_port" => holes::csk(args),
+        "tapped_hole_with_port" => holes::tapped(args),
         "face_port" => ports::face(args),
         "gear_mesh_port" => ports::gear(args),
         "snap_port" => ports::snap(args),
