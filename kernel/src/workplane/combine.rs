@@ -200,7 +200,8 @@ pub(super) fn safe_union(
     text.push_str(if gap < 1e-9 {
         "; they touch only along an edge or in a point: let them overlap"
     } else {
-        "; up to 0.01 mm between plane faces is closed: move one of them, or let them overlap"
+        "; up to 0.01 mm between plane faces is closed: move one of them, let them overlap, or unite \
+         what joins them first"
     });
     Err(KernelError::refused(text))
 }
