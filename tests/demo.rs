@@ -230,10 +230,11 @@ fn short(tool: &str, content: &Value) -> String {
                 format!("{} {} ({})", text("check"), text("verdict"), text("cases"))
             };
             let checks: Vec<String> = checks.into_iter().flatten().map(check).collect();
-            let axioms: Vec<String> = ["passed", "warned", "not_applicable", "not_checked", "total"]
-                .iter()
-                .map(|k| format!("{k} {}", value(&format!("/axioms/{k}"))))
-                .collect();
+            let axioms: Vec<String> =
+                ["passed", "warned", "not_applicable", "not_checked", "total"]
+                    .iter()
+                    .map(|k| format!("{k} {}", value(&format!("/axioms/{k}"))))
+                    .collect();
             format!(
                 "{}: {}\n  axioms: {}",
                 value("/verdict"),

@@ -8,7 +8,7 @@ use crate::kit::{Kit, program};
 #[test]
 fn a_server_started_again_offers_the_assembly_as_it_was() {
     let mut kit = Kit::new();
-    kit.stand("stand");
+    kit.whole_stand("stand");
     let before = kit.ok(
         "get_assembly",
         json!({"assembly": "stand", "detail": "full"}),

@@ -113,7 +113,9 @@ pub struct AxiomTrace {
 }
 
 /// What a finding has to do with an axiom.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
 #[serde(rename_all = "snake_case")]
 pub enum AxiomRole {
     /// The finding shows it broken.

@@ -83,7 +83,11 @@ pub(crate) fn run(
 /// What was not checked of the axioms, for the report's list.
 pub(crate) fn not_checked(all: &Axioms) -> Vec<String> {
     let mut by_reason: Vec<(&str, Vec<&str>)> = Vec::new();
-    for fact in all.each.iter().filter(|f| f.status == AxiomStatus::NotChecked) {
+    for fact in all
+        .each
+        .iter()
+        .filter(|f| f.status == AxiomStatus::NotChecked)
+    {
         let why = fact.why.as_deref().unwrap_or_default();
         let why = if [NO_MOTION, NOT_WRITTEN].contains(&why) {
             why
@@ -118,12 +122,11 @@ fn judged(axiom: &Axiom, facts: &Facts, verdicts: &[Told]) -> AxiomFacts {
         (_, Some(Status::Indeterminate)) => (AxiomStatus::Indeterminate, None),
         (_, Some(Status::Fail)) => (AxiomStatus::Fail, None),
     };
-    let open = matches!(
-        status,
-        AxiomStatus::NotApplicable | AxiomStatus::NotChecked
-    );
-    let mut assumptions: Vec<String> =
-        verdicts.iter().filter_map(|v| v.assumption.clone()).collect();
+    let open = matches!(status, AxiomStatus::NotApplicable | AxiomStatus::NotChecked);
+    let mut assumptions: Vec<String> = verdicts
+        .iter()
+        .filter_map(|v| v.assumption.clone())
+        .collect();
     assumptions.sort();
     assumptions.dedup();
     let citing = facts.mates.iter().filter(|m| m.cites(&axiom.id));
@@ -166,7 +169,7 @@ fn find(axiom: &Axiom, told: &Told, spec: &Assembly, run: &mut Run) {
         Code::Indeterminate
     };
     let message = format!("{} ('{}'): {}", axiom.id, axiom.title, told.message);
-    let mut d = Diagnostic::error(code, place(told), message).expected(axiom.statement.as_str());
+    let mut d = Diagnostic::error(code, place(told), message);
     d.severity = match (should, broken) {
         (false, _) => Severity::Error,
         (true, true) => Severity::Warning,

@@ -1,8 +1,6 @@
 //! What the checks of the axioms read, from a placed and measured assembly.
 
-use assemcad_axioms::facts::{
-    Contact, Facts, Geometry, MateFacts, Measured, Overlap, PartFacts,
-};
+use assemcad_axioms::facts::{Contact, Facts, Geometry, MateFacts, Measured, Overlap, PartFacts};
 use assemcad_model::report::{self, Overlapping, Verdict};
 use assemcad_model::spec::Assembly;
 use serde_json::{Map, Value};

@@ -18,12 +18,7 @@ enum By {
 }
 
 /// A diagnostic with advice, and the call to begin with.
-pub(super) fn mended(
-    axiom: &Axiom,
-    told: &Verdict,
-    spec: &Assembly,
-    d: Diagnostic,
-) -> Diagnostic {
+pub(super) fn mended(axiom: &Axiom, told: &Verdict, spec: &Assembly, d: Diagnostic) -> Diagnostic {
     let Some((by, hint)) = remedy(&axiom.id) else {
         return d.next("find_axioms", json!({"id": axiom.id}));
     };
@@ -34,9 +29,7 @@ pub(super) fn mended(
             "remove",
             json!({"assembly": spec.id, "kind": "mate", "name": mate}),
         ),
-        (By::Params, _, Some(part)) => {
-            d.next("describe_factory", json!({"factory": part.factory}))
-        }
+        (By::Params, _, Some(part)) => d.next("describe_factory", json!({"factory": part.factory})),
         _ => d.next("find_axioms", json!({"id": axiom.id})),
     }
 }
@@ -44,34 +37,89 @@ pub(super) fn mended(
 fn remedy(id: &str) -> Option<(By, &'static str)> {
     use By::{More, Options, Params};
     Some(match id {
-        "B-01" => (More, "mate the bearing's inner ring with a shaft and its outer ring with a bore"),
-        "B-02" => (Options, "give one of the two rings a coaxial mate instead of a press fit"),
-        "B-04" => (More, "locate one bearing on both rings, by press fits or faces, and leave the other free"),
-        "C-03" => (Params, "make the shaft thicker than its hole, or mate them coaxial"),
-        "C-04" => (Options, "make the mate again with u and v nearer to 0.5, or make the face larger"),
-        "F-02" => (More, "name a part of structure, such as a plate or a housing, as 'root', or make it the first part"),
-        "G-01" => (Options, "let the gear_mesh mate place one of the gears, or move the bores that carry their shafts"),
-        "G-02" | "G-03" | "G-05" | "G-06" | "G-07" => {
-            (Params, "change the teeth, module, pressure angle, helix or profile shift of the gears")
-        }
-        "G-08" => (Options, "make the gear_mesh mate again with backlash_mm, about 0.05 times the module"),
-        "G-09" => (Params, "choose teeth so that sun and ring together divide by the number of planets"),
+        "B-01" => (
+            More,
+            "mate the bearing's inner ring with a shaft and its outer ring with a bore",
+        ),
+        "B-02" => (
+            Options,
+            "give one of the two rings a coaxial mate instead of a press fit",
+        ),
+        "B-04" => (
+            More,
+            "locate one bearing on both rings, by press fits or faces, and leave the other free",
+        ),
+        "C-03" => (
+            Params,
+            "make the shaft thicker than its hole, or mate them coaxial",
+        ),
+        "C-04" => (
+            Options,
+            "make the mate again with u and v nearer to 0.5, or make the face larger",
+        ),
+        "F-02" => (
+            More,
+            "name a part of structure, such as a plate or a housing, as 'root', or make it the first part",
+        ),
+        "G-01" => (
+            Options,
+            "let the gear_mesh mate place one of the gears, or move the bores that carry their shafts",
+        ),
+        "G-02" | "G-03" | "G-05" | "G-06" | "G-07" => (
+            Params,
+            "change the teeth, module, pressure angle, helix or profile shift of the gears",
+        ),
+        "G-08" => (
+            Options,
+            "make the gear_mesh mate again with backlash_mm, about 0.05 times the module",
+        ),
+        "G-09" => (
+            Params,
+            "choose teeth so that sun and ring together divide by the number of planets",
+        ),
         "H-02" => (Params, "make the pin longer"),
-        "H-03" => (More, "press the pin into one leaf, or give it a stop at either end"),
+        "H-03" => (
+            More,
+            "press the pin into one leaf, or give it a stop at either end",
+        ),
         "K-04" => (More, "take one gear out of the ring, or put another in"),
-        "N-03" | "N-04" => (Params, "move the holes, make them smaller, or make the part larger"),
+        "N-03" | "N-04" => (
+            Params,
+            "move the holes, make them smaller, or make the part larger",
+        ),
         "N-05" => (Params, "make the ground larger, or move the parts over it"),
-        "N-06" => (More, "join the part on a second wall that stands at an angle to the first"),
+        "N-06" => (
+            More,
+            "join the part on a second wall that stands at an angle to the first",
+        ),
         "N-07" => (Params, "give both parts the same pattern of holes"),
-        "P-01" => (More, "carry the shaft at a second place along its axis, by another bearing or bore"),
-        "P-02" => (Options, "press the hub on its shaft (press_fit), or add a key"),
+        "P-01" => (
+            More,
+            "carry the shaft at a second place along its axis, by another bearing or bore",
+        ),
+        "P-02" => (
+            Options,
+            "press the hub on its shaft (press_fit), or add a key",
+        ),
         "P-03" => (Params, "make the hub longer: one shaft diameter at least"),
-        "S-03" => (More, "put the ground first in the list of parts, and mates in the order in which parts are brought in"),
-        "T-01" => (More, "mate the bolt's seat with what it clamps (coaxial_face) and its thread with a nut or a threaded hole (thread_engage)"),
-        "T-03" => (Params, "take a longer bolt, a deeper thread or a smaller diameter"),
+        "S-03" => (
+            More,
+            "put the ground first in the list of parts, and mates in the order in which parts are brought in",
+        ),
+        "T-01" => (
+            More,
+            "mate the bolt's seat with what it clamps (coaxial_face) and its thread with a nut or a threaded hole (thread_engage)",
+        ),
+        "T-03" => (
+            Params,
+            "take a longer bolt, a deeper thread or a smaller diameter",
+        ),
         "T-04" => (Params, "take a shorter bolt or a deeper hole"),
         "T-05" => (Params, "take a longer bolt, a lower nut or fewer washers"),
-        "T-06" => (Params, "give the hole the clearance of ISO 273 for its bolt"),
+        "T-06" => (
+            Params,
+            "give the hole the clearance of ISO 273 for its bolt",
+        ),
         "T-07" => (More, "put a washer between the head or nut and the hole"),
         "T-09" => (More, "add a second fastener or a locating feature"),
         "T-10" => (Params, "take a wider head, a washer or a smaller hole"),

@@ -45,9 +45,11 @@ fn same(axiom: &Axiom, told: &Told, finding: &Finding) -> bool {
     let open = told.status == Status::Indeterminate && finding.verdict == Verdict::Indeterminate;
     match (axiom.id.as_str(), finding.check.as_str()) {
         ("F-01" | "N-01", "connectivity") => failed && parts(),
+        // Of a part without a place little can be told.
+        (_, "connectivity") => told.status == Status::Indeterminate && parts(),
         ("F-04", "interference") => (failed || open) && parts(),
         ("F-05", "contact") => (failed || open) && mate(),
-        ("C-01" | "C-02", "mates") => failed && mate(),
+        ("C-01" | "C-02", "mates") if failed => mate(),
         // Without a place nothing can be told of a mate, whatever it is about.
         (_, "mates") => open && mate(),
         _ => false,
