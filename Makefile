@@ -1,5 +1,5 @@
 # The two commands of the README: `make demo` and `make test`. Both set up what they need.
-.PHONY: setup demo test test-factories lint ci clean
+.PHONY: setup demo test test-factories peers-cadquery lint clean
 CARGO ?= cargo
 
 demo: setup
@@ -12,6 +12,16 @@ test: setup
 # Every built-in factory at two hundred random parameter sets, and gears at all corners of their ranges.
 test-factories: setup
 	$(CARGO) test --quiet -p assemcad-factories --test parts -- --ignored --skip timings
+
+# The language held against CadQuery itself, in a Python environment of its own: the scripts keep to what
+# both have, CadQuery still gives what is recorded, and so does the language.
+PEERS = tests/cadquery
+peers-cadquery: setup
+	python3 -m venv $(PEERS)/.venv
+	$(PEERS)/.venv/bin/pip install --quiet -r $(PEERS)/requirements.txt
+	$(PEERS)/.venv/bin/python $(PEERS)/coverage.py
+	$(PEERS)/.venv/bin/python $(PEERS)/golden.py --check
+	$(CARGO) test --quiet -p assemcad-factories --test cadquery -- --nocapture
 
 setup:
 	@scripts/setup

@@ -2,6 +2,7 @@
 #![cfg(test)]
 
 mod bad_input;
+mod bolted;
 mod determinism;
 mod drafts;
 mod faults;

@@ -124,6 +124,12 @@ impl Registry {
         }
     }
 
+    /// Whether a factory is one of ours: its defaults are made in a moment, which of others nobody knows.
+    #[must_use]
+    pub fn is_builtin(name: &str) -> bool {
+        builtin::ALL.iter().any(|(known, _)| *known == name)
+    }
+
     /// The names of all factories, sorted.
     #[must_use]
     pub fn names(&self) -> Vec<&str> {

@@ -13,6 +13,7 @@ pub mod error;
 pub mod facts;
 mod ffi;
 pub mod limits;
+mod memory;
 pub mod mesh;
 pub mod pair;
 pub mod pool;

@@ -87,6 +87,5 @@ fn failed_at_result(recipe: &Recipe, error: KernelError) -> ReplayError {
 
 /// The solid as it comes back from its bytes, checked there: that is what everybody else gets.
 fn settle(shape: &Shape) -> Result<Shape> {
-    let baked = shape.baked()?.checked("the part")?;
-    Shape::from_bytes(&baked.to_bytes()?)?.checked("the part")
+    Shape::from_bytes(&shape.baked()?.to_bytes()?)?.checked("the part")
 }

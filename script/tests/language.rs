@@ -265,3 +265,18 @@ fn recipes_read_back_from_text() {
 }
 
 const GOLDEN: &str = "3ebef7dca1232f9937802147f503bca3df5ee537f69d8ec12fb0909622457e5e";
+
+/// The page is generated from the table of the language: `ASSEMCAD_ACCEPT=1` writes it anew.
+#[test]
+fn the_page_of_the_language_is_the_published_one() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/language.md");
+    let page = assemcad_script::reference();
+    if std::env::var_os("ASSEMCAD_ACCEPT").is_some() {
+        std::fs::write(path, &page).unwrap();
+    }
+    let published = std::fs::read_to_string(path).unwrap_or_default();
+    assert!(
+        page == published,
+        "ASSEMCAD_ACCEPT=1 cargo test -p assemcad-script page"
+    );
+}

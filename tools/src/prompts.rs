@@ -4,6 +4,7 @@ use core::fmt::Write as _;
 
 use assemcad_assembly::Workshop;
 use assemcad_axioms::{Axiom, axioms};
+use assemcad_factories::Registry;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::mates;
 use assemcad_model::param::{ParamKind, ParamSpec};
@@ -92,7 +93,8 @@ impl Prompt {
     }
 }
 
-/// The factories by family, each with its parameters and the ports that it has at their defaults.
+/// The factories by family, each with its parameters and, of ours, the ports that it has at their
+/// defaults.
 async fn factories(workshop: &Workshop) -> String {
     let mut out = String::new();
     let mut family = "";
@@ -109,7 +111,9 @@ async fn factories(workshop: &Workshop) -> String {
         }
         let params: Vec<String> = factory.params().iter().map(parameter).collect();
         let _ = write!(out, "\n- `{name}({})`", params.join(", "));
-        if let Ok(made) = workshop.make(name, &Map::new(), None).await {
+        if !Registry::is_builtin(name) {
+            out.push_str(": ports by describe_factory");
+        } else if let Ok(made) = workshop.make(name, &Map::new(), None).await {
             let _ = write!(out, ": {}", ports_of(&made.ports));
         }
     }

@@ -275,13 +275,7 @@ pub(super) fn tag(args: &Args<'_>) -> Result<Value> {
     let node = args.on()?;
     let name = args.text("name")?.to_owned();
     // The tag points at a link with a context of its own: the chain's context would hold itself.
-    let copy = Rc::new(Node {
-        plane: node.plane,
-        objects: node.objects.clone(),
-        parent: node.parent.clone(),
-        context: Rc::clone(&node.context),
-        ports: Rc::clone(&node.ports),
-    });
+    let copy = Node::begin(node.plane, node.objects.clone());
     node.context.borrow_mut().tags.insert(name, copy);
     Ok(Value::Node(node))
 }
@@ -377,10 +371,7 @@ pub(super) fn parts(node: &Node, kind: Topology) -> Result<Vec<Rc<Shape>>> {
 }
 
 pub(super) fn bodies(shapes: impl IntoIterator<Item = Rc<Shape>>) -> Vec<Object> {
-    shapes
-        .into_iter()
-        .map(|shape| Object::Shape(shape))
-        .collect()
+    shapes.into_iter().map(Object::Shape).collect()
 }
 
 fn kind_named(word: &str) -> Result<Topology> {
@@ -437,6 +428,9 @@ pub(super) fn siblings(args: &Args<'_>) -> Result<Value> {
                 .into_iter()
                 .filter(|s| !seen.iter().any(|known| known.same(s)))
                 .collect();
+            if ring.is_empty() {
+                break;
+            }
             seen.extend(ring.iter().cloned());
         }
         all.extend(ring);

@@ -178,7 +178,7 @@ pub(super) fn safe_union(
     {
         return Ok(glued);
     }
-    // A small gap: bridged along its shortest way.
+    // Small gaps: filled.
     if let Some(bridges) = bridges(&plain)? {
         let mut with = others.to_vec_of_handles()?;
         with.extend(bridges);
@@ -200,7 +200,8 @@ pub(super) fn safe_union(
     text.push_str(if gap < 1e-9 {
         "; they touch only along an edge or in a point: let them overlap"
     } else {
-        "; up to 0.01 mm between plane faces is closed: move one of them, or let them overlap"
+        "; up to 0.01 mm between plane faces is closed: move one of them, let them overlap, or unite \
+         what joins them first"
     });
     Err(KernelError::refused(text))
 }
@@ -215,52 +216,54 @@ impl Handles for [Shape] {
     }
 }
 
-/// A bridge over each gap between the first solid and another that is small enough; none where a gap
-/// is not.
+/// What fills the gaps between solids that are small enough; none where there is no such gap.
 fn bridges(union: &Shape) -> Result<Option<Vec<Shape>>> {
     let solids = union.parts(Topology::Solid)?;
-    let Some((first, rest)) = solids.split_first() else {
-        return Ok(None);
-    };
     let mut found = Vec::new();
-    for other in rest {
-        match bridge(first, other)? {
-            Some(bridge) => found.push(bridge),
-            None => return Ok(None),
+    for (index, one) in solids.iter().enumerate() {
+        for other in solids.iter().skip(index + 1) {
+            found.extend(bridge(one, other)?);
         }
     }
-    Ok(Some(found))
+    Ok((!found.is_empty()).then_some(found))
 }
 
-/// The face of `a` that looks at `b` over the gap, thickened across it.
-fn bridge(a: &Shape, b: &Shape) -> Result<Option<Shape>> {
+/// What lies between the plane faces of two solids that look at each other over a small gap, reaching
+/// a little into both.
+fn bridge(a: &Shape, b: &Shape) -> Result<Vec<Shape>> {
     let (gap, on_a, on_b) = a.distance_to(b)?;
     let way = Vector::from(on_b) - Vector::from(on_a);
     if !(gap > 0.0 && gap <= CLOSES) || way.norm() == 0.0 {
-        return Ok(None);
+        return Ok(Vec::new());
     }
     let way = way.normalize();
-    // From either side: the smaller of the two faces stays inside the other's outline.
-    let mut best: Option<(f64, Shape)> = None;
-    for (from, direction, point) in [(a, way, on_a), (b, -way, on_b)] {
-        for face in from.parts(Topology::Face)? {
-            if face.form()? != Form::Plane {
-                continue;
-            }
-            let normal = Vector::from(face.normal_at(None)?);
-            let level = (Vector::from(face.center()?) - Vector::from(point)).dot(&normal);
-            if normal.dot(&direction) < 1.0 - 1e-6 || level.abs() > 1e-6 {
-                continue;
-            }
-            let area = face.measure()?.area;
-            if best.as_ref().is_none_or(|(least, _)| area < *least) {
-                let start = face.moved(&shift(-normal * INTO))?;
-                let across = normal * (gap + 2.0 * INTO);
-                best = Some((area, start.extruded(across.into(), 0.0)?));
-            }
-        }
+    let from_a = slabs(a, way, on_a, gap)?;
+    let from_b = slabs(b, -way, on_b, gap)?;
+    if from_a.is_empty() || from_b.is_empty() {
+        return Ok(Vec::new());
     }
-    Ok(best.map(|(_, bridge)| bridge))
+    // Only where a face has the other one before it is there a gap to fill.
+    Shape::compound(&all(&from_a))?
+        .shared(&[&Shape::compound(&all(&from_b))?], None)?
+        .parts(Topology::Solid)
+}
+
+/// The plane faces of a solid through a point that look along `way`, thickened across the gap.
+fn slabs(solid: &Shape, way: Vector, point: [f64; 3], gap: f64) -> Result<Vec<Shape>> {
+    let mut found = Vec::new();
+    for face in solid.parts(Topology::Face)? {
+        if face.form()? != Form::Plane {
+            continue;
+        }
+        let normal = Vector::from(face.normal_at(None)?);
+        let level = (Vector::from(face.center()?) - Vector::from(point)).dot(&normal);
+        if normal.dot(&way) < 1.0 - 1e-6 || level.abs() > 1e-6 {
+            continue;
+        }
+        let start = face.moved(&shift(-normal * INTO))?.baked()?;
+        found.push(start.extruded((normal * (gap + 2.0 * INTO)).into(), 0.0)?);
+    }
+    Ok(found)
 }
 
 fn shift(by: Vector) -> assemcad_model::frame::Placement {
@@ -310,7 +313,7 @@ pub(super) fn union(args: &Args<'_>) -> Result<Value> {
         None if others.is_empty() => {
             return Err(KernelError::refused("there is nothing to unite"));
         }
-        None => others.remove(0),
+        None => Shape::compound(&[&others.remove(0)])?,
     };
     let result = safe_union(
         &base,
@@ -323,9 +326,17 @@ pub(super) fn union(args: &Args<'_>) -> Result<Value> {
     if let Some(other) = args.node("toUnion")? {
         for port in other.ports.iter() {
             // A chain united with its own earlier link has the link's ports already.
-            if !ports.contains(port) {
-                ports.push(port.clone());
+            if ports.contains(port) {
+                continue;
             }
+            if ports.iter().any(|known| known.name == port.name) {
+                return Err(KernelError::refused(format!(
+                    "there would be two ports '{}' in this part: unite without_ports() of one, and \
+                     take its ports back by with_ports_of(other, prefix)",
+                    port.name
+                )));
+            }
+            ports.push(port.clone());
         }
     }
     Ok(Value::Node(next.with_ports(ports)))

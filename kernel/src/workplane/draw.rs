@@ -420,10 +420,7 @@ pub(super) fn offset(args: &Args<'_>) -> Result<Value> {
             found.clone()
         };
     }
-    let objects = found
-        .into_iter()
-        .map(|shape| Object::Shape(shape))
-        .collect();
+    let objects = found.into_iter().map(Object::Shape).collect();
     Ok(Value::Node(node.next(objects)))
 }
 

@@ -8,8 +8,10 @@ mod args;
 mod chain;
 mod combine;
 mod draw;
+mod dress;
 mod each;
 mod face;
+mod holes;
 mod ports;
 mod select;
 mod shapes;
@@ -17,8 +19,10 @@ mod solid;
 mod transform;
 mod value;
 
+use std::collections::BTreeSet;
+
 use assemcad_model::ports::Port;
-use assemcad_model::recipe::{Call, Recipe};
+use assemcad_model::recipe::{Call, Recipe, reference};
 
 use self::args::Args;
 use self::chain::Index;
@@ -63,32 +67,27 @@ pub fn carry_out(
     };
     for (step, call) in recipe.calls.iter().enumerate() {
         on_call(step, call);
+        if crate::memory::nearly_exhausted() {
+            return Err(Failed {
+                step,
+                error: KernelError {
+                    kind: crate::error::Kind::OutOfMemory,
+                    message: "what the part needs so far fills the memory".to_owned(),
+                },
+            });
+        }
         let value = run.call(step).map_err(|error| Failed { step, error })?;
         run.values.push(value);
     }
     let last = usize::try_from(recipe.result).unwrap_or(usize::MAX);
-    let at = last.min(recipe.calls.len().saturating_sub(1));
-    run.result(last).map_err(|error| Failed { step: at, error })
+    run.result(last)
+        .map_err(|error| Failed { step: last, error })
 }
 
 /// The calls and what those before the current one gave.
 struct Run<'a> {
     calls: &'a [Call],
     values: Vec<Value>,
-}
-
-impl Drop for Run<'_> {
-    /// Tags hold links and links hold the context of the tags: taken apart here, or it would stay in
-    /// memory for ever.
-    fn drop(&mut self) {
-        for value in &self.values {
-            if let Value::Node(node) = value
-                && let Ok(mut context) = node.context.try_borrow_mut()
-            {
-                context.tags.clear();
-            }
-        }
-    }
 }
 
 impl Run<'_> {
@@ -105,7 +104,13 @@ impl Run<'_> {
             }
             Some(Value::Object(object)) => (solids(core::slice::from_ref(object))?, Vec::new()),
             Some(Value::Objects(objects)) => (solids(objects)?, Vec::new()),
-            _ => return Err(KernelError::refused("the script's result is no workplane")),
+            Some(_) => return Err(KernelError::refused("the script's result is no workplane")),
+            None => {
+                return Err(KernelError::refused(format!(
+                    "the recipe's result is call {at}, and it has {} calls",
+                    self.calls.len()
+                )));
+            }
         };
         let all: Vec<&Shape> = objects.iter().collect();
         let shape = match all.as_slice() {
@@ -167,13 +172,13 @@ impl Run<'_> {
     /// `each` and `eachpoint`: the calls of a function are carried out once for each object or place.
     fn each(&mut self, step: usize, call: &Call, objects: bool) -> Result<Value> {
         let result = if objects { "callback" } else { "arg" };
-        let reference = |name: &str| {
+        let referred = |name: &str| {
             call.args
                 .get(name)
-                .and_then(assemcad_model::recipe::reference)
+                .and_then(reference)
                 .and_then(|at| usize::try_from(at).ok())
         };
-        let Some(variable) = reference("variable") else {
+        let Some(variable) = referred("variable") else {
             // A shape or workplane, the same at every place.
             let args = Args {
                 call,
@@ -182,13 +187,17 @@ impl Run<'_> {
             let fixed = args.objects(result)?;
             return each::each_point(&args, |_| Ok(fixed.clone()));
         };
-        let Some(target) = reference(result) else {
+        let Some(target) = referred(result) else {
             return Err(KernelError::refused("the function gives no shape"));
         };
         if variable >= step || target >= step {
             return Err(KernelError::refused(
                 "a function uses what is not before it",
             ));
+        }
+        if self.waits(step) {
+            // In the function of another call, of whose argument this one makes use too.
+            return Ok(Value::Later);
         }
         let body = self.body(variable, step);
         let before = self.values.clone();
@@ -235,6 +244,29 @@ impl Run<'_> {
             }
         }
         found
+    }
+
+    /// Whether a call needs what another function is yet to be given: it is found among the calls that
+    /// have no value so far, and is not the argument of a function that ends there.
+    fn waits(&self, step: usize) -> bool {
+        let later = |at: &usize| matches!(self.values.get(*at), Some(Value::Later));
+        let (mut arguments, mut bound) = (Vec::new(), Vec::new());
+        let (mut seen, mut open) = (BTreeSet::new(), vec![step]);
+        while let Some(call) = open.pop().and_then(|at| self.calls.get(at)) {
+            let variable = call.args.get("variable").and_then(reference);
+            bound.extend(variable.and_then(|at| usize::try_from(at).ok()));
+            for input in call.inputs() {
+                let input = usize::try_from(input).unwrap_or(usize::MAX);
+                if !later(&input) || !seen.insert(input) {
+                    continue;
+                }
+                match self.calls.get(input).map(|call| call.call.as_str()) {
+                    Some("eachLocation" | "eachObject") => arguments.push(input),
+                    _ => open.push(input),
+                }
+            }
+        }
+        arguments.iter().any(|at| !bound.contains(at))
     }
 
     fn put(&mut self, at: usize, value: Value) {
@@ -316,11 +348,11 @@ fn on_workplane(args: &Args<'_>, short: &str) -> Result<Value> {
         "hole" => solid::hole(args),
         "cboreHole" => solid::cbore(args),
         "cskHole" => solid::csk(args),
-        "fillet" => solid::fillet(args),
-        "chamfer" => solid::chamfer(args),
-        "shell" => solid::shell(args),
-        "split" => solid::split(args),
-        "section" => solid::section(args),
+        "fillet" => dress::fillet(args),
+        "chamfer" => dress::chamfer(args),
+        "shell" => dress::shell(args),
+        "split" => dress::split(args),
+        "section" => dress::section(args),
         "union" => combine::union(args),
         "cut" => combine::cut_call(args),
         "intersect" => combine::intersect(args),
@@ -360,12 +392,12 @@ fn on_drawing_or_port(args: &Args<'_>, short: &str) -> Result<Value> {
         "polygon" => draw::polygon(args),
         "slot2D" => draw::slot(args),
         "outline" => draw::outline(args),
-        "bore_port" => ports::bore(args),
+        "bore_port" => holes::bore(args),
         "shaft_port" => ports::shaft(args),
-        "hole_with_port" => ports::hole(args),
-        "cbore_hole_with_port" => ports::cbore(args),
-        "csk_hole_with_port" => ports::csk(args),
-        "tapped_hole_with_port" => ports::tapped(args),
+        "hole_with_port" => holes::hole(args),
+        "cbore_hole_with_port" => holes::cbore(args),
+        "csk_hole_with_port" => holes::csk(args),
+        "tapped_hole_with_port" => holes::tapped(args),
         "face_port" => ports::face(args),
         "gear_mesh_port" => ports::gear(args),
         "snap_port" => ports::snap(args),

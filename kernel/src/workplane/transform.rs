@@ -144,7 +144,8 @@ pub(super) fn mirror(args: &Args<'_>) -> Result<Value> {
     Ok(Value::Node(node.next_shape(joined.cleaned()?)))
 }
 
-/// A port's mirror image. Its frame stays right-handed: origin, z and x are mirrored.
+/// A port's mirror image. Its frame stays right-handed: origin, z and x are mirrored. A helix of teeth
+/// turns the other way; a thread keeps its hand, because it is tapped and not mirrored.
 fn mirrored(port: &Port, point: Vector, n: Vector) -> Port {
     let turn = |v: [f64; 3]| -> [f64; 3] {
         let v = Vector::from(v);
@@ -152,7 +153,12 @@ fn mirrored(port: &Port, point: Vector, n: Vector) -> Port {
     };
     let from_point: [f64; 3] = (Vector::from(port.frame.origin) - point).into();
     let origin = Vector::from(turn(from_point)) + point;
+    let mut params = port.params.clone();
+    if let Some(helix) = params.get_mut("helix_angle_deg") {
+        *helix = 0.0 - *helix;
+    }
     Port {
+        params,
         frame: Frame {
             origin: origin.into(),
             x: turn(port.frame.x),

@@ -1,8 +1,45 @@
 //! What the tests share.
 
+use assemcad_kernel::brep::Topology;
 use assemcad_kernel::{KernelError, Shape};
 use assemcad_model::frame::{Frame, Placement};
-use assemcad_model::recipe::{Outline, Profile, Segment};
+
+/// The booleans of two solids whose result is one solid.
+pub trait Two {
+    fn fuse(&self, other: &Shape) -> Shape;
+    fn cut(&self, tool: &Shape) -> Shape;
+    fn common(&self, other: &Shape) -> Shape;
+}
+
+impl Two for Shape {
+    fn fuse(&self, other: &Shape) -> Shape {
+        one(&self.fused(&[other], false, None).unwrap())
+    }
+
+    fn cut(&self, tool: &Shape) -> Shape {
+        one(&self.without(&[tool], None).unwrap())
+    }
+
+    fn common(&self, other: &Shape) -> Shape {
+        one(&self.shared(&[other], None).unwrap())
+    }
+}
+
+/// The only solid of a group, faces of one surface joined.
+#[track_caller]
+pub fn one(group: &Shape) -> Shape {
+    let clean = group.cleaned().unwrap();
+    let mut solids = clean.parts(Topology::Solid).unwrap();
+    assert_eq!(solids.len(), 1);
+    solids.pop().unwrap().baked().unwrap()
+}
+
+/// The edges of a solid of which this holds, asked of their middles.
+pub fn edges_where(solid: &Shape, holds: impl Fn([f64; 3]) -> bool) -> Vec<Shape> {
+    let mut edges = solid.parts(Topology::Edge).unwrap();
+    edges.retain(|edge| holds(edge.position_at(0.5).unwrap()));
+    edges
+}
 
 /// A frame at a point with the world's axes.
 pub fn at(x: f64, y: f64, z: f64) -> Frame {
@@ -66,30 +103,20 @@ pub fn says(error: &KernelError, words: &[&str]) {
     }
 }
 
-pub fn line(x: f64, y: f64) -> Segment {
-    Segment::Line { to: [x, y] }
+/// A closed outline of lines through points in the plane z = 0.
+pub fn polygon(points: &[[f64; 2]]) -> Shape {
+    let points: Vec<[f64; 3]> = points.iter().map(|[x, y]| [*x, *y, 0.0]).collect();
+    Shape::polyline_wire(&points, true).unwrap()
 }
 
-pub fn arc(via: [f64; 2], to: [f64; 2]) -> Segment {
-    Segment::Arc { via, to }
+/// A circle in the plane z = 0.
+pub fn circle(x: f64, y: f64, radius: f64) -> Shape {
+    let edge = Shape::circle_edge(&Placement::translation(x, y, 0.0), radius).unwrap();
+    Shape::wire(&[&edge]).unwrap()
 }
 
-pub fn path(start: [f64; 2], segments: Vec<Segment>) -> Outline {
-    Outline::Path { start, segments }
-}
-
-/// A rectangle from (x, y) with sides w, h.
-pub fn rectangle(x: f64, y: f64, w: f64, h: f64) -> Outline {
-    path(
-        [x, y],
-        vec![line(x + w, y), line(x + w, y + h), line(x, y + h)],
-    )
-}
-
-pub fn profile(outer: Outline) -> Profile {
-    Profile {
-        at: Frame::WORLD,
-        outer,
-        holes: Vec::new(),
-    }
+/// What an outline with holes encloses, moved along z.
+pub fn prism(outer: &Shape, holes: &[&Shape], height: f64) -> Shape {
+    let face = Shape::face(outer, holes).unwrap();
+    face.extruded([0.0, 0.0, height], 0.0).unwrap()
 }

@@ -6,7 +6,7 @@ use assemcad_kernel::Shape;
 use assemcad_kernel::contact::{Where, touch};
 use assemcad_model::frame::Placement;
 
-use super::common::{cuboid, cylinder, near, slanted};
+use super::common::{Two, cuboid, cylinder, near, slanted};
 
 const HERE: Placement = Placement::IDENTITY;
 
@@ -68,9 +68,7 @@ fn a_hole_in_the_seat_counts_out() {
     // The floor of a counterbore (radius 5.5 around a hole of 3.3) and a head of 5.
     let plate = cuboid([-20.0, -20.0, 0.0], [40.0, 40.0, 20.0])
         .cut(&cylinder([0.0, 0.0, 0.0], 3.3, 20.0))
-        .unwrap()
-        .cut(&cylinder([0.0, 0.0, 13.0], 5.5, 7.0))
-        .unwrap();
+        .cut(&cylinder([0.0, 0.0, 13.0], 5.5, 7.0));
     let head = cylinder([0.0; 3], 5.0, 6.0);
     let place = Where::Plane {
         point: [0.0, 0.0, 13.0],
@@ -87,9 +85,7 @@ fn a_hole_in_the_seat_counts_out() {
 
 #[test]
 fn a_shaft_fills_its_bore() {
-    let block = cuboid([-20.0, -20.0, 0.0], [40.0, 40.0, 20.0])
-        .cut(&cylinder([0.0; 3], 8.0, 20.0))
-        .unwrap();
+    let block = cuboid([-20.0, -20.0, 0.0], [40.0, 40.0, 20.0]).cut(&cylinder([0.0; 3], 8.0, 20.0));
     let place = Where::Axis {
         point: [0.0, 0.0, -100.0],
         direction: [0.0, 0.0, 1.0],

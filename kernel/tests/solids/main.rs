@@ -20,5 +20,3 @@ mod pairs;
 mod primitives;
 #[cfg(test)]
 mod profiles;
-#[cfg(test)]
-mod replaying;

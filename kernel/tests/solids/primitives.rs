@@ -6,7 +6,7 @@ use assemcad_kernel::query::Side;
 use assemcad_kernel::{Kind, Shape};
 use assemcad_model::frame::{Frame, Placement};
 
-use super::common::{at, cuboid, cylinder, near, near3, says, slanted};
+use super::common::{Two, at, cuboid, cylinder, near, near3, says, slanted};
 
 #[test]
 fn a_box_is_exact() {
@@ -128,7 +128,7 @@ fn points_are_classified() {
         [-1.0, 1.0, 1.0],
         [1.0, 1.0, 2.0],
     ];
-    let sides = plate.unwrap().classify(&points, 1e-6).unwrap();
+    let sides = plate.classify(&points, 1e-6).unwrap();
     assert_eq!(
         sides,
         [
@@ -167,9 +167,7 @@ fn bad_numbers_are_refused_in_words() {
 
 #[test]
 fn bytes_come_back_unchanged() {
-    let shape = cuboid([0.0; 3], [10.0; 3])
-        .fuse(&cylinder([5.0, 5.0, 0.0], 3.0, 20.0))
-        .unwrap();
+    let shape = cuboid([0.0; 3], [10.0; 3]).fuse(&cylinder([5.0, 5.0, 0.0], 3.0, 20.0));
     let bytes = shape.to_bytes().unwrap();
     let again = Shape::from_bytes(&bytes).unwrap();
     assert_eq!(again.to_bytes().unwrap(), bytes);

@@ -1,0 +1,329 @@
+//! Holes and their ports.
+
+use std::rc::Rc;
+
+use assemcad_model::frame::Placement;
+use assemcad_model::param::clip;
+use assemcad_model::ports::{Port, PortType};
+
+use super::args::Args;
+use super::combine::cut;
+use super::each::places;
+use super::ports::{numbered, params, pattern_center, port, with};
+use super::solid::{countersink, drill, through};
+use super::value::{Node, Value};
+use crate::brep::Topology;
+use crate::error::{KernelError, Result};
+use crate::shape::Shape;
+
+/// How far, in mm, a hole's mouth may be from the workplane, and a measured depth from the stated one.
+const NEAR: f64 = 1e-4;
+
+/// D1 = D - 2 * 5/8 * H with H = sqrt(3)/2 * P: the minor diameter of an internal thread (ISO 68-1,
+/// ISO 724).
+const MINOR: f64 = 1.082_531_754_730_548_3;
+
+/// A piece of a hole: from its mouth to its end, below the workplane.
+struct Bore {
+    mouth: f64,
+    end: f64,
+}
+
+/// Where a tool takes material away, by pieces, uppermost first.
+fn pieces(solid: &Shape, tool: &Shape, at: &Placement) -> Result<Vec<Bore>> {
+    let removed = solid.shared(&[tool], None)?;
+    let mut found = Vec::new();
+    for piece in removed.parts(Topology::Solid)? {
+        let extent = piece.moved(&at.inverse())?.extent()?;
+        let ([_, _, low], [_, _, high]) = (extent.min, extent.max);
+        found.push(Bore {
+            mouth: -high,
+            end: -low,
+        });
+    }
+    found.sort_by(|a, b| a.mouth.total_cmp(&b.mouth));
+    Ok(found)
+}
+
+/// Where holes go, and how deep.
+struct Drilled {
+    node: Rc<Node>,
+    solid: Shape,
+    /// The places, in the world.
+    at: Vec<Placement>,
+    /// How deep the tool goes; through all where none is given.
+    depth: f64,
+    through: bool,
+}
+
+impl Drilled {
+    fn of(args: &Args<'_>) -> Result<Self> {
+        let node = args.on()?;
+        let at = places(&node)?
+            .into_iter()
+            .map(|place| node.plane * place)
+            .collect();
+        let (depth, through) = match args.real_or_none("depth")? {
+            Some(_) => (args.length("depth")?, false),
+            None => (through(&node)?, true),
+        };
+        Ok(Self {
+            solid: node.solid()?,
+            node,
+            at,
+            depth,
+            through,
+        })
+    }
+
+    /// Cuts the tool at every place. For each place: the first piece of the plain hole of `diameter`,
+    /// and the last one.
+    fn cut(&self, tool: &Shape, diameter: f64) -> Result<(Shape, Vec<(Bore, Bore)>)> {
+        let plain = drill(diameter, self.depth)?;
+        let (mut tools, mut bores) = (Vec::new(), Vec::new());
+        for at in &self.at {
+            let mut found = pieces(&self.solid, &plain.moved(at)?, at)?;
+            // Rounded here: as text, what is a little below 0 would be -0.000.
+            let [x, y, z] = at.origin().map(|n| (n * 1e3).round() / 1e3 + 0.0).into();
+            let here = format!("the hole at ({x:.3}, {y:.3}, {z:.3})");
+            let Some(last) = found.pop() else {
+                let [dx, dy, dz] = at
+                    .direction([0.0, 0.0, -1.0])
+                    .map(|n| (n * 1e3).round() / 1e3 + 0.0);
+                return Err(KernelError::refused(format!(
+                    "{here} removes nothing: going {:.3} mm along ({dx:.3}, {dy:.3}, {dz:.3}) it meets \
+                     no material; the part spans {} mm. A hole goes against the workplane's normal: \
+                     check which way it looks, and where its origin is",
+                    self.depth,
+                    self.solid.extent()?
+                )));
+            };
+            let first = if found.is_empty() {
+                Bore { ..last }
+            } else {
+                found.remove(0)
+            };
+            if first.mouth > NEAR {
+                return Err(KernelError::refused(format!(
+                    "{here} begins {:.4} mm below the workplane: its mouth is not where the port would \
+                     be; put the workplane on the face",
+                    first.mouth
+                )));
+            }
+            if self.under_material(at)? {
+                return Err(KernelError::refused(format!(
+                    "{here} begins inside the material: its mouth would be closed; put the workplane \
+                     on the face"
+                )));
+            }
+            bores.push((first, last));
+            tools.push(tool.moved(at)?.baked()?);
+        }
+        Ok((cut(&self.solid, &tools, None)?, bores))
+    }
+
+    fn under_material(&self, at: &Placement) -> Result<bool> {
+        let above = at.point([0.0, 0.0, 10.0 * NEAR]);
+        let found = self.solid.classify(&[above], NEAR)?;
+        Ok(found.first() == Some(&crate::query::Side::Inside))
+    }
+
+    /// The link with the cut solid and the ports.
+    fn finish(&self, args: &Args<'_>, cut: Shape, mut ports: Vec<Port>) -> Result<Value> {
+        let next = self.node.next_shape(cut.cleaned()?);
+        if let Some(center) = args.text_or_none("center")? {
+            ports.push(pattern_center(&next, center, &self.at)?);
+        }
+        with(&next, ports)
+    }
+
+    /// The port at the far mouth of a through hole, where one is asked for. Down to `wide` the hole is
+    /// wider than its diameter.
+    fn back(
+        &self,
+        args: &Args<'_>,
+        index: usize,
+        last: &Bore,
+        wide: f64,
+        make: impl FnOnce(&str, &Placement, f64) -> Result<Port>,
+    ) -> Result<Option<Port>> {
+        let Some(name) = args.text_or_none("back")? else {
+            return Ok(None);
+        };
+        let at = self.place(index)?;
+        let end = at * Placement::translation(0.0, 0.0, -last.end) * Placement::rotation_x(180.0);
+        let open = at.point([0.0, 0.0, -last.end - 10.0 * NEAR]);
+        let behind = self.solid.classify(&[open], NEAR)?;
+        if !self.through && behind.first() == Some(&crate::query::Side::Inside) {
+            return Err(KernelError::refused(format!(
+                "the hole is {:.3} mm deep and has no far mouth for port '{}': leave depth out to go \
+                 through, or leave back out",
+                self.depth,
+                clip(name)
+            )));
+        }
+        let name = numbered(name, self.at.len(), index);
+        make(&name, &end, last.end - last.mouth.max(wide)).map(Some)
+    }
+
+    fn place(&self, index: usize) -> Result<Placement> {
+        self.at
+            .get(index)
+            .copied()
+            .ok_or_else(|| KernelError::internal("a hole has no place"))
+    }
+
+    /// Cuts, and makes a port for each hole of a diameter, which is wider down to `wide`: `make` is told
+    /// name, place of the mouth and depth.
+    fn with_ports(
+        &self,
+        args: &Args<'_>,
+        tool: &Shape,
+        (diameter, wide): (f64, f64),
+        back_type: PortType,
+        make: impl Fn(&str, &Placement, f64) -> Result<Port>,
+    ) -> Result<Value> {
+        let (cut, bores) = self.cut(tool, diameter)?;
+        let base = args.text("name")?;
+        let mut ports = Vec::new();
+        for (index, (first, last)) in bores.iter().enumerate() {
+            let at = self.place(index)?;
+            let name = numbered(base, bores.len(), index);
+            ports.push(make(&name, &at, first.end)?);
+            ports.extend(self.back(args, index, last, wide, |name, at, depth| {
+                let found = params([("diameter", diameter), ("depth", depth)]);
+                port(name, back_type, at, found)
+            })?);
+        }
+        self.finish(args, cut, ports)
+    }
+}
+
+/// `bore_port(name, diameter, depth, back, center)`.
+pub(super) fn bore(args: &Args<'_>) -> Result<Value> {
+    let drilled = Drilled::of(args)?;
+    let diameter = args.length("diameter")?;
+    let tool = drill(diameter, drilled.depth)?;
+    drilled.with_ports(
+        args,
+        &tool,
+        (diameter, 0.0),
+        PortType::Bore,
+        |name, at, depth| {
+            let found = params([("diameter", diameter), ("depth", depth)]);
+            port(name, PortType::Bore, at, found)
+        },
+    )
+}
+
+/// `hole_with_port(name, diameter, depth, bolt_diameter, back, center)`.
+pub(super) fn hole(args: &Args<'_>) -> Result<Value> {
+    let drilled = Drilled::of(args)?;
+    let diameter = args.length("diameter")?;
+    let bolt = args.real_or_none("bolt_diameter")?;
+    let tool = drill(diameter, drilled.depth)?;
+    let make = |name: &str, at: &Placement, depth: f64| match bolt {
+        Some(bolt) => port(
+            name,
+            PortType::ClearanceHole,
+            at,
+            params([
+                ("diameter", diameter),
+                ("depth", depth),
+                ("bolt_diameter", bolt),
+            ]),
+        ),
+        None => port(
+            name,
+            PortType::Hole,
+            at,
+            params([("diameter", diameter), ("depth", depth)]),
+        ),
+    };
+    drilled.with_ports(args, &tool, (diameter, 0.0), PortType::Hole, make)
+}
+
+/// `cbore_hole_with_port(name, diameter, cboreDiameter, cboreDepth, depth, back, center)`.
+pub(super) fn cbore(args: &Args<'_>) -> Result<Value> {
+    let drilled = Drilled::of(args)?;
+    let (narrow, wide) = (args.length("diameter")?, args.length("cboreDiameter")?);
+    let floor = args.length("cboreDepth")?;
+    let tool = drill(narrow, drilled.depth)?.fused(&[&drill(wide, floor)?], false, None)?;
+    drilled.with_ports(
+        args,
+        &tool,
+        (narrow, floor),
+        PortType::Hole,
+        |name, at, depth| {
+            let at = *at * Placement::translation(0.0, 0.0, -floor);
+            let found = params([
+                ("diameter", wide),
+                ("depth", floor),
+                ("hole_diameter", narrow),
+                ("hole_depth", depth - floor),
+            ]);
+            port(name, PortType::CboreSeat, &at, found)
+        },
+    )
+}
+
+/// `csk_hole_with_port(name, diameter, cskDiameter, cskAngle, depth, back, center)`.
+pub(super) fn csk(args: &Args<'_>) -> Result<Value> {
+    let drilled = Drilled::of(args)?;
+    let (narrow, wide) = (args.length("diameter")?, args.length("cskDiameter")?);
+    let (cone, height) = countersink(wide, args.real("cskAngle")?)?;
+    // The cone meets the hole where its diameter has come down to the hole's.
+    let below = height * (1.0 - narrow / wide);
+    if below <= 0.0 {
+        return Err(KernelError::refused(format!(
+            "the countersink of diameter {wide} mm is no wider than the hole of {narrow} mm"
+        )));
+    }
+    let tool = drill(narrow, drilled.depth)?.fused(&[&cone], false, None)?;
+    drilled.with_ports(
+        args,
+        &tool,
+        (narrow, below),
+        PortType::Hole,
+        |name, at, depth| {
+            let at = *at * Placement::translation(0.0, 0.0, -below);
+            let found = params([("diameter", narrow), ("depth", depth - below)]);
+            port(name, PortType::Hole, &at, found)
+        },
+    )
+}
+
+/// `tapped_hole_with_port(name, diameter, pitch, depth, hand, modelled_diameter, back, center)`.
+pub(super) fn tapped(args: &Args<'_>) -> Result<Value> {
+    let drilled = Drilled::of(args)?;
+    let (diameter, pitch) = (args.length("diameter")?, args.length("pitch")?);
+    let modelled = match args.real_or_none("modelled_diameter")? {
+        Some(modelled) => modelled,
+        None => diameter - MINOR * pitch,
+    };
+    let hand = if args.text("hand")? == "left" {
+        -1.0
+    } else {
+        1.0
+    };
+    let tool = drill(modelled, drilled.depth)?;
+    let make = |name: &str, at: &Placement, depth: f64| {
+        let found = params([
+            ("diameter", diameter),
+            ("pitch", pitch),
+            ("hand", hand),
+            ("depth", depth),
+            ("modelled_diameter", modelled),
+        ]);
+        port(name, PortType::ThreadInternal, at, found)
+    };
+    let (cut, bores) = drilled.cut(&tool, modelled)?;
+    let base = args.text("name")?;
+    let mut ports = Vec::new();
+    for (index, (first, last)) in bores.iter().enumerate() {
+        let at = drilled.place(index)?;
+        ports.push(make(&numbered(base, bores.len(), index), &at, first.end)?);
+        ports.extend(drilled.back(args, index, last, 0.0, make)?);
+    }
+    drilled.finish(args, cut, ports)
+}
