@@ -79,10 +79,10 @@ struct Entry {
     #[serde(skip_serializing_if = "Option::is_none")]
     source: Option<String>,
     /// Axioms on which it builds.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     follows: Vec<String>,
     /// Axioms that build on it.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     precedes: Vec<String>,
 }
 
