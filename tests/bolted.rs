@@ -71,12 +71,19 @@ fn two_plates_and_four_bolts() {
             none(),
         );
     }
-    // What is not said is not meant: four threads that nobody has engaged are clashes.
+    // What is not said is not meant: four threads that nobody has engaged are clashes, and clamp nothing.
     let report = kit.ok("verify", json!({"assembly": "a"}));
     assert_eq!(report["verdict"], "fail");
     let findings = report["findings"].as_array().unwrap();
-    assert_eq!(findings.len(), 4, "{findings:?}");
-    assert!(findings.iter().all(|f| f["diagnostic"]["code"] == "clash"));
+    assert_eq!(findings.len(), 8, "{findings:?}");
+    let clashes = findings
+        .iter()
+        .filter(|f| f["diagnostic"]["code"] == "clash");
+    assert_eq!(clashes.count(), 4);
+    let unclamped = findings
+        .iter()
+        .filter(|f| f["axioms"][0]["axiom"] == "T-01");
+    assert_eq!(unclamped.count(), 4);
 
     // The nut is placed already: its thread closes a loop, and holds to the last digit.
     for i in 1..=4 {
@@ -126,6 +133,8 @@ fn every_factory_once_and_three_times_in_one_assembly() {
             "{name}"
         );
     }
+    let state = kit.ok("get_assembly", json!({"assembly": "many"}));
+    assert_eq!(state["state"]["parts"].as_array().map(Vec::len), Some(39));
     let report = kit.ok("verify", json!({"assembly": "many"}));
     let check = |name: &str| {
         let checks = report["checks"].as_array().unwrap();

@@ -70,9 +70,10 @@ fn script() -> Vec<(&'static str, Value)> {
             json!({"assembly": ASSEMBLY, "part": part, "factory": factory, "params": params}),
         )
     };
-    let mate = |id: &str, mate_type: &str, base: &str, incoming: &str, options: Value| {
+    let mate = |id: &str, mate_type: &str, ends: [&str; 2], axioms: &[&str], options: Value| {
         let mut call = json!({
-            "assembly": ASSEMBLY, "id": id, "mate_type": mate_type, "base": base, "incoming": incoming,
+            "assembly": ASSEMBLY, "id": id, "mate_type": mate_type, "base": ends[0], "incoming": ends[1],
+            "axioms": axioms,
         });
         if let (Some(call), Value::Object(options)) = (call.as_object_mut(), options) {
             call.extend(options);
@@ -82,6 +83,10 @@ fn script() -> Vec<(&'static str, Value)> {
     vec![
         ("list_factories", json!({})),
         ("describe_factory", json!({"factory": "bearing.ball"})),
+        (
+            "find_axioms",
+            json!({"mate_type": "coaxial", "classes": ["bearing/ball"]}),
+        ),
         (
             "new_assembly",
             json!({"assembly": ASSEMBLY, "description": "A shaft in a bearing block on a base plate"}),
@@ -114,39 +119,39 @@ fn script() -> Vec<(&'static str, Value)> {
         mate(
             "block_on_plate",
             "face_to_face",
-            "plate:top_face",
-            "block:bottom_face",
+            ["plate:top_face", "block:bottom_face"],
+            &["C-01"],
             json!({}),
         ),
         // Each bearing flush with its end of the bore: its middle half its width behind the mouth.
         mate(
             "front_in_block",
             "coaxial",
-            "block:bore_port",
-            "bearing_front:outer_ring",
+            ["block:bore_port", "bearing_front:outer_ring"],
+            &["B-01", "C-02"],
             json!({"d_mm": -7, "direction": "same"}),
         ),
         mate(
             "back_in_block",
             "coaxial",
-            "block:bore_port_back",
-            "bearing_back:outer_ring",
+            ["block:bore_port_back", "bearing_back:outer_ring"],
+            &["B-01", "C-02"],
             json!({"d_mm": -7, "direction": "same"}),
         ),
         // The shaft's collar against the front ring: the seat's middle half its length behind the mouth.
         mate(
             "shaft_in_front",
             "coaxial",
-            "bearing_front:inner_ring",
-            "shaft:shaft_seat_1",
+            ["bearing_front:inner_ring", "shaft:shaft_seat_1"],
+            &["P-01"],
             json!({"d_mm": -35, "direction": "same"}),
         ),
         // Both parts have a place already: this one is checked.
         mate(
             "shaft_in_back",
             "coaxial",
-            "bearing_back:inner_ring",
-            "shaft:shaft_seat_1",
+            ["bearing_back:inner_ring", "shaft:shaft_seat_1"],
+            &["P-01"],
             json!({}),
         ),
         ("verify", json!({"assembly": ASSEMBLY})),
@@ -188,6 +193,18 @@ fn short(tool: &str, content: &Value) -> String {
     };
     match tool {
         "list_factories" => names("/factories", "factory"),
+        "find_axioms" => {
+            let all = content.get("axioms").and_then(Value::as_array);
+            let text = |v: &Value, key: &str| {
+                v.get(key)
+                    .and_then(Value::as_str)
+                    .unwrap_or_default()
+                    .to_owned()
+            };
+            let one = |v: &Value| format!("{} {}", text(v, "axiom"), text(v, "title"));
+            let all: Vec<String> = all.into_iter().flatten().map(one).collect();
+            format!("{}; {} more", all.join("; "), value("/more"))
+        }
         "describe_factory" => format!("ports: {}", names("/ports", "name")),
         "add_part" => {
             format!(
@@ -213,7 +230,17 @@ fn short(tool: &str, content: &Value) -> String {
                 format!("{} {} ({})", text("check"), text("verdict"), text("cases"))
             };
             let checks: Vec<String> = checks.into_iter().flatten().map(check).collect();
-            format!("{}: {}", value("/verdict"), checks.join(", "))
+            let axioms: Vec<String> =
+                ["passed", "warned", "not_applicable", "not_checked", "total"]
+                    .iter()
+                    .map(|k| format!("{k} {}", value(&format!("/axioms/{k}"))))
+                    .collect();
+            format!(
+                "{}: {}\n  axioms: {}",
+                value("/verdict"),
+                checks.join(", "),
+                axioms.join(", ")
+            )
         }
         "export_step" => format!(
             "{}: {} products, {} instances, {} bytes, sha256 {}",

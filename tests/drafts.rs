@@ -206,6 +206,17 @@ fn the_prompt_tells_what_a_draft_needs() {
         .collect();
     // The comment in it, and nothing else.
     assert_eq!(codes, ["comment_lost"]);
+    // And it is a machine that holds.
+    let made = kit.ok("realize", json!({"draft": example}));
+    assert_eq!(
+        (&made["realized"], &made["verdict"]),
+        (&json!(true), &json!("pass"))
+    );
+    // Every axiom is told with its title, once.
+    for axiom in assemcad_axioms::axioms() {
+        let told = format!("{} {}", axiom.id, axiom.title);
+        assert_eq!(text.matches(&told).count(), 1, "{told}");
+    }
 
     for params in [
         json!({"name": "compose"}),

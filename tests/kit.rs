@@ -136,7 +136,8 @@ impl Kit {
         self.ok("mate", call)
     }
 
-    /// A block on a plate, a bearing flush in its bore and a shaft through it: four parts.
+    /// A block on a plate, a bearing flush in its bore and a shaft through it: four parts. In geometry
+    /// all is right; as a machine it is not whole, since one bearing lets the shaft tilt.
     pub fn stand(&mut self, assembly: &str) {
         self.new_assembly(assembly);
         self.part(assembly, "plate", "base_frame.rect_plate", json!({}));
@@ -145,17 +146,32 @@ impl Kit {
         self.part(assembly, "shaft", "base_frame.stepped_shaft", json!({}));
         self.mate(json!({
             "assembly": assembly, "id": "m1", "mate_type": "face_to_face",
-            "base": "plate:top_face", "incoming": "block:bottom_face",
+            "base": "plate:top_face", "incoming": "block:bottom_face", "axioms": ["C-01"],
         }));
         self.mate(json!({
             "assembly": assembly, "id": "m2", "mate_type": "coaxial",
             "base": "block:bore_port", "incoming": "bearing:outer_ring",
-            "d_mm": -7, "direction": "same",
+            "d_mm": -7, "direction": "same", "axioms": ["B-01", "C-02"],
         }));
         self.mate(json!({
             "assembly": assembly, "id": "m3", "mate_type": "coaxial",
             "base": "bearing:inner_ring", "incoming": "shaft:shaft_seat_1",
-            "d_mm": -30, "direction": "same",
+            "d_mm": -30, "direction": "same", "axioms": ["C-02", "P-01"],
+        }));
+    }
+
+    /// The stand with a second bearing at the other end of the bore: five parts, and a machine that holds.
+    pub fn whole_stand(&mut self, assembly: &str) {
+        self.stand(assembly);
+        self.part(assembly, "back", "bearing.ball", json!({}));
+        self.mate(json!({
+            "assembly": assembly, "id": "m4", "mate_type": "coaxial",
+            "base": "block:bore_port_back", "incoming": "back:outer_ring",
+            "d_mm": -7, "direction": "same", "axioms": ["B-01", "C-02"],
+        }));
+        self.mate(json!({
+            "assembly": assembly, "id": "m5", "mate_type": "coaxial",
+            "base": "back:inner_ring", "incoming": "shaft:shaft_seat_1", "axioms": ["C-02", "P-01"],
         }));
     }
 

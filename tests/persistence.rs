@@ -8,7 +8,7 @@ use crate::kit::{Kit, program};
 #[test]
 fn a_server_started_again_offers_the_assembly_as_it_was() {
     let mut kit = Kit::new();
-    kit.stand("stand");
+    kit.whole_stand("stand");
     let before = kit.ok(
         "get_assembly",
         json!({"assembly": "stand", "detail": "full"}),
@@ -157,16 +157,19 @@ assembly:
       mate_type: face_to_face
       base: {ref: plate, port: top_face}
       incoming: {ref: block, port: bottom_face}
+      axioms: [C-01]
     - id: m2
       mate_type: coaxial
       base: {ref: block, port: bore_port}
       incoming: {ref: bearing, port: outer_ring}
       options: {d_mm: -7.0, direction: same}
+      axioms: [B-01, C-02]
     - id: m3
       mate_type: coaxial
       base: {ref: bearing, port: inner_ring}
       incoming: {ref: shaft, port: shaft_seat_1}
       options: {d_mm: -30.0, direction: same}
+      axioms: [C-02, P-01]
 "
     );
 }

@@ -63,6 +63,7 @@ impl Workshop {
                     parts: vec![m.mate.base.part.clone(), m.mate.incoming.part.clone()],
                     mates: vec![m.mate.id.clone()],
                     values: shown.values,
+                    axioms: Vec::new(),
                     diagnostic,
                 });
             }

@@ -2,13 +2,14 @@
 //! leaves the assembly as it was.
 
 use assemcad_kernel::protocol::Built;
-use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::mates::Residual;
 use assemcad_model::report::rounded;
 use assemcad_model::spec::text::normalise;
 use assemcad_model::spec::{Assembly, Mate, Part};
 use serde_json::json;
 
+use crate::axioms::cite::Cited;
 use crate::build::{Box3, box_of};
 use crate::place::Placed;
 use crate::resolve::{self, Resolved, ResolvedMate, ResolvedPart};
@@ -172,6 +173,12 @@ impl Workshop {
                 return Err(faults);
             }
         };
+        let cited = Cited::resolved(&resolved, &before.parts);
+        let (wrong, warnings): (Faults, Faults) = cited
+            .check(&mate, Severity::Warning, &|_| "axioms".to_owned())
+            .into_iter()
+            .partition(|d| d.severity == Severity::Error);
+        faults.extend(wrong);
         if !faults.is_empty() {
             return Err(faults);
         }
@@ -184,7 +191,8 @@ impl Workshop {
         if let Some(r) = residual.filter(|r| change == Change::Made && !r.holds()) {
             return Err(one(does_not_hold(&resolved, &r)));
         }
-        let state = self.commit_resolved(&spec, &after, change)?;
+        let mut state = self.commit_resolved(&spec, &after, change)?;
+        state.warnings.extend(warnings);
         let placed = self.newly_placed(&before, &after, &now).await?;
         Ok(Mated {
             change,

@@ -162,6 +162,11 @@ struct Allowed {
 /// How far an expected overlap may be from what its mates say, as a share of it.
 const SHARE: f64 = 0.01;
 
+/// The common volume above which two parts clash whose mates mean as much as `allowed`, in mm3.
+pub(crate) fn limit_mm3(allowed: f64, tau: f64) -> f64 {
+    allowed * (1.0 + SHARE) + tau
+}
+
 fn judge(
     a: &str,
     b: &str,
@@ -196,6 +201,7 @@ fn judge(
         parts: vec![a.to_owned(), b.to_owned()],
         mates: allowed.mates.clone(),
         values,
+        axioms: Vec::new(),
         diagnostic,
     });
     Judged {
@@ -213,7 +219,7 @@ fn weigh(
     tau: f64,
     allowed: &Allowed,
 ) -> (Verdict, Overlapping, Option<Diagnostic>) {
-    let most = allowed.most_mm3 * (1.0 + SHARE) + tau;
+    let most = limit_mm3(allowed.most_mm3, tau);
     let least = allowed.least_mm3 * (1.0 - SHARE) - tau;
     let found = rounded(v.volume);
     if v.volume > most {

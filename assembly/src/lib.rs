@@ -3,6 +3,7 @@
 //! The specification on disk is the only state. Every operation reads it, and every accepted change
 //! is written back before the operation returns, so that a killed server loses nothing.
 
+mod axioms;
 pub mod build;
 mod contact_check;
 pub mod draft;

@@ -148,6 +148,7 @@ fn judge(part: &ResolvedPart, port: &Port, answers: &[(Probe, Answer)]) -> Optio
         parts: vec![part.id.clone()],
         mates: Vec::new(),
         values,
+        axioms: Vec::new(),
         diagnostic: d,
     })
 }
@@ -163,6 +164,7 @@ fn open(part: &ResolvedPart, d: Diagnostic) -> Finding {
         parts: vec![part.id.clone()],
         mates: Vec::new(),
         values: Map::new(),
+        axioms: Vec::new(),
         diagnostic: d,
     }
 }

@@ -13,6 +13,7 @@ use petgraph::graph::{NodeIndex, UnGraph};
 use petgraph::visit::Bfs;
 use serde_json::{Map, Value, json};
 
+use crate::axioms::{self, Measurements};
 use crate::build::{box_of, reported};
 use crate::place::{self, Placed};
 use crate::resolve::{self, Resolved};
@@ -27,7 +28,7 @@ pub const DEFAULT_TAU_MM3: f64 = 0.001;
 const NOT_CHECKED: [&str; 3] = [
     "freedom: which motions the mates leave, and whether they are intended",
     "motion: collisions away from the pose in which the assembly was built",
-    "engineering rules: strength, fits, bearing arrangement, and whether the machine can be put together",
+    "strength: loads, stresses and life of parts and joints",
 ];
 
 impl Workshop {
@@ -84,6 +85,15 @@ impl Workshop {
         self.check_contact(&resolved, &placed, &pairs, &mut mates, tau_mm3, &mut run)
             .await;
         check_connectivity(spec, &resolved, &mut run);
+        let measured = Measurements {
+            parts: &parts,
+            mates: &mates,
+            pairs: &pairs,
+            tau_mm3,
+        };
+        let axioms = axioms::run(self, spec, &resolved, &placed, &measured, &mut run);
+        let mut not_checked = NOT_CHECKED.map(str::to_owned).to_vec();
+        not_checked.extend(axioms::not_checked(&axioms));
         // Stable: within a verdict, the order of the checks and of the specification.
         run.findings.sort_by_key(|f| core::cmp::Reverse(f.verdict));
         let verdict = run
@@ -98,7 +108,8 @@ impl Workshop {
             verdict,
             findings: run.findings,
             checks: run.checks,
-            not_checked: NOT_CHECKED.map(str::to_owned).to_vec(),
+            not_checked,
+            axioms,
             root: spec.root().map(str::to_owned),
             tau_mm3,
             parts,
@@ -187,6 +198,7 @@ impl Run {
             parts,
             mates: Vec::new(),
             values: Map::new(),
+            axioms: Vec::new(),
             diagnostic,
         });
     }
@@ -251,6 +263,7 @@ fn check_mates(resolved: &Resolved, placed: &Placed, run: &mut Run) -> Vec<MateF
                 parts,
                 mates: vec![m.mate.id.clone()],
                 values: values.as_object().cloned().unwrap_or_default(),
+                axioms: Vec::new(),
                 diagnostic: d,
             });
         }

@@ -30,7 +30,8 @@ factory, params}], mates: [{id, mate_type, base: {ref, port}, incoming: {ref, po
 have it checked by validate_draft, which tells every error at once with its line, mend it, and call \
 realize, which builds, places, verifies and exports it, all or nothing. A machine of 17 parts is one \
 text, not forty calls. The prompt 'decompose' holds the format, the factories and the mates; \
-list_factories and describe_factory tell parameters and ports.\n\
+list_factories and describe_factory tell parameters and ports, find_axioms the engineering rules that \
+each mate cites and verify checks.\n\
 The fine-grained tools (new_assembly, add_part, mate, remove, verify, export_step) are for changes to \
 what is there. Every change is on disk when it is answered; assemblies of earlier sessions are there \
 (list_assemblies, get_assembly).\n\

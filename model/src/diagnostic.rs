@@ -77,6 +77,12 @@ pub enum Code {
     SpecificationInvalid,
     /// A mate that cites no axiom.
     AxiomMissing,
+    /// There is no axiom of this id.
+    AxiomUnknown,
+    /// An axiom that does not apply to the mate that cites it.
+    AxiomInapplicable,
+    /// The assembly breaks an axiom.
+    AxiomBroken,
     /// Two parts that land in the same place.
     Coincident,
     /// A part that nothing holds but its teeth, or a hole in line with a hole.

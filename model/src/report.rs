@@ -52,6 +52,8 @@ pub struct Report {
     pub checks: Vec<Check>,
     /// What was not checked, and why.
     pub not_checked: Vec<String>,
+    /// What the engineering axioms came to.
+    pub axioms: Axioms,
     /// The root part.
     pub root: Option<String>,
     /// Common volume above which two parts clash, in mm3.
@@ -80,7 +82,7 @@ pub struct Check {
 /// Something that is wrong or could not be told.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Finding {
-    /// `fail` or `indeterminate`.
+    /// `fail` or `indeterminate`; `pass` for a warning, which is no fault of the assembly.
     pub verdict: Verdict,
     /// The check that found it.
     pub check: String,
@@ -92,8 +94,114 @@ pub struct Finding {
     /// Measured values, with units in their names.
     #[serde(default, skip_serializing_if = "Map::is_empty")]
     pub values: Map<String, Value>,
+    /// The axioms that it breaks, and those that the mates between its parts cite.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub axioms: Vec<AxiomTrace>,
     /// What is wrong and what would mend it.
     pub diagnostic: Diagnostic,
+}
+
+/// What a finding has to do with an axiom.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct AxiomTrace {
+    /// Id.
+    pub axiom: String,
+    /// What holds.
+    pub statement: String,
+    /// What the finding has to do with it.
+    pub role: AxiomRole,
+}
+
+/// What a finding has to do with an axiom.
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
+#[serde(rename_all = "snake_case")]
+pub enum AxiomRole {
+    /// The finding shows it broken.
+    Broken,
+    /// The finding leaves open whether it holds.
+    Open,
+    /// A mate between the parts cites it.
+    Cited,
+}
+
+/// What the engineering axioms came to. Every axiom is counted once, by the worst of its cases.
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+pub struct Axioms {
+    /// How many axioms there are.
+    pub total: usize,
+    /// Held wherever they were checked.
+    pub passed: usize,
+    /// Broken.
+    pub failed: usize,
+    /// Broken or left open, but stated as SHOULD: a warning.
+    pub warned: usize,
+    /// Could not be told.
+    pub indeterminate: usize,
+    /// There was nothing that they are about.
+    pub not_applicable: usize,
+    /// Not checked, for a stated reason.
+    pub not_checked: usize,
+    /// Every axiom, by its id.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub each: Vec<AxiomFacts>,
+}
+
+impl Axioms {
+    /// Counts an axiom in.
+    pub fn count(&mut self, fact: AxiomFacts) {
+        self.total += 1;
+        *match fact.status {
+            AxiomStatus::Pass => &mut self.passed,
+            AxiomStatus::Fail => &mut self.failed,
+            AxiomStatus::Warning => &mut self.warned,
+            AxiomStatus::Indeterminate => &mut self.indeterminate,
+            AxiomStatus::NotApplicable => &mut self.not_applicable,
+            AxiomStatus::NotChecked => &mut self.not_checked,
+        } += 1;
+        self.each.push(fact);
+    }
+}
+
+/// What an axiom came to.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct AxiomFacts {
+    /// Id.
+    pub axiom: String,
+    /// What holds.
+    pub statement: String,
+    /// What it came to.
+    pub status: AxiomStatus,
+    /// How many cases were looked at.
+    pub cases: usize,
+    /// The mates that cite it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub cited_by: Vec<String>,
+    /// Why it was not checked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub why: Option<String>,
+    /// What was taken for granted because the specification does not say it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub assumptions: Vec<String>,
+}
+
+/// What an axiom came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+pub enum AxiomStatus {
+    /// It holds.
+    Pass,
+    /// It is broken.
+    Fail,
+    /// It is broken or left open, and is stated as SHOULD.
+    Warning,
+    /// It could not be told.
+    Indeterminate,
+    /// There is nothing that it is about.
+    NotApplicable,
+    /// It was not checked.
+    NotChecked,
 }
 
 /// What was measured of a part.

@@ -14,6 +14,7 @@ mod add_part;
 mod arguments;
 mod describe_factory;
 mod export_step;
+mod find_axioms;
 mod get_assembly;
 mod list_assemblies;
 mod list_factories;
@@ -129,6 +130,7 @@ pub fn all() -> Vec<Offer> {
         Offer::of::<add_part::AddPart>(),
         Offer::of::<describe_factory::DescribeFactory>(),
         Offer::of::<export_step::ExportStep>(),
+        Offer::of::<find_axioms::FindAxioms>(),
         Offer::of::<get_assembly::GetAssembly>(),
         Offer::of::<list_assemblies::ListAssemblies>(),
         Offer::of::<list_factories::ListFactories>(),

@@ -75,7 +75,7 @@ pub(crate) struct Arguments {
     /// Turn about the incoming port's z, in degrees.
     #[serde(default)]
     alpha_deg: Option<f64>,
-    /// Ids of the engineering axioms that justify the mate, such as 'C-02'.
+    /// Ids of the engineering axioms that justify the mate, such as 'C-02'; find_axioms tells them.
     #[serde(default)]
     axioms: Vec<String>,
 }

@@ -3,6 +3,7 @@
 use core::fmt::Write as _;
 
 use assemcad_assembly::Workshop;
+use assemcad_axioms::{Axiom, axioms};
 use assemcad_factories::Registry;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::mates;
@@ -71,6 +72,7 @@ impl Prompt {
             .replace("{{FACTORIES}}", &factories(workshop).await)
             .replace("{{PORTS}}", &port_types())
             .replace("{{MATES}}", &mate_types())
+            .replace("{{AXIOMS}}", &axioms_by_mate_type())
             .replace("{{ROUNDS}}", &workshop.draft_rounds.to_string());
         // Last, and each once: what a caller writes is no template.
         for argument in self.arguments {
@@ -181,6 +183,32 @@ fn option(p: &ParamSpec) -> String {
         ParamKind::Choice { choices, .. } => format!("{}={}", p.name, choices.join("|")),
         _ => p.name.clone(),
     }
+}
+
+/// Ids and titles by mate type, then those that name no mate type, each told where it is met first.
+fn axioms_by_mate_type() -> String {
+    let mut told: Vec<&str> = Vec::new();
+    let mut line = |head: String, meant: &dyn Fn(&Axiom) -> bool| {
+        let mut words = Vec::new();
+        for a in axioms().iter().filter(|a| meant(a)) {
+            if told.contains(&a.id.as_str()) {
+                words.push(a.id.clone());
+            } else {
+                words.push(format!("{} {}", a.id, a.title));
+                told.push(&a.id);
+            }
+        }
+        format!("- {head}: {}", words.join("; "))
+    };
+    let mut lines: Vec<String> = mates::ALL
+        .iter()
+        .map(|kind| {
+            let named = |a: &Axiom| a.scope.mates.iter().any(|t| t.kind().name == kind.name);
+            line(format!("`{}`", kind.name), &named)
+        })
+        .collect();
+    lines.push(line("any mate".to_owned(), &|a| a.scope.mates.is_empty()));
+    lines.join("\n")
 }
 
 #[cfg(test)]

@@ -66,7 +66,7 @@ impl Tool for ValidateDraft {
     const TITLE: &'static str = "Validate a draft";
     const DESCRIPTION: &'static str = "Checks a whole specification (YAML: assembly: {id, parts, mates}; \
         or JSON) and tells every error at once with its line: format, factories, parameters, ports, \
-        mates, options, parts that nothing joins. Nothing is built and no assembly is changed. Mend all \
+        mates, options, axioms, parts that nothing joins. Nothing is built and no assembly is changed. Mend all \
         of it and call again; after a few wrong rounds under one id the decomposition counts as failed. \
         When it is valid, call realize with the same text.";
     const EFFECT: Effect = Effect::Adds;

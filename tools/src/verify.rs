@@ -2,7 +2,7 @@
 
 use assemcad_assembly::verify::{DEFAULT_TAU_MM3, report_file};
 use assemcad_assembly::{Faults, Workshop};
-use assemcad_model::report::{Check, Finding, MateFacts, PairFacts, PartFacts, Verdict};
+use assemcad_model::report::{Axioms, Check, Finding, MateFacts, PairFacts, PartFacts, Verdict};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -50,8 +50,10 @@ pub(crate) struct Answer {
     findings_total: usize,
     /// The checks that were made.
     checks: Vec<Check>,
-    /// What was not checked.
+    /// What was not checked, and why.
     not_checked: Vec<String>,
+    /// What the engineering axioms came to, counted; one by one with detail 'full'.
+    axioms: Axioms,
     /// The whole report, below the server's root folder.
     report_file: String,
     /// SHA-256 of the specification that was verified.
@@ -78,14 +80,19 @@ impl Tool for Verify {
     const TITLE: &'static str = "Verify an assembly";
     const DESCRIPTION: &'static str = "Checks an assembly: every part one valid solid that shows \
         its ports, every mate holding and touching where it promises contact, no two parts \
-        overlapping by more than their mates mean and tau, every part joined to the root. Answers \
-        pass, fail or indeterminate with what was found and what was not checked, and leaves the \
-        whole report as a file. Call it before export_step. 'full' may be long.";
+        overlapping by more than their mates mean and tau, every part joined to the root, and the \
+        engineering axioms (find_axioms). Answers pass, fail or indeterminate with what was found and \
+        what was not checked, and leaves the whole report as a file. Findings with verdict pass are \
+        warnings. Call it before export_step. 'full' is long.";
     const EFFECT: Effect = Effect::Adds;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
         let report = workshop.verify(&a.assembly, a.tau_mm3).await?;
         let findings_total = report.findings.len();
+        let mut axioms = report.axioms;
+        if a.detail == Detail::Concise {
+            axioms.each.clear();
+        }
         let measured = (a.detail == Detail::Full).then_some(Measured {
             parts: report.parts,
             mates: report.mates,
@@ -97,6 +104,7 @@ impl Tool for Verify {
             findings_total,
             checks: report.checks,
             not_checked: report.not_checked,
+            axioms,
             report_file: report_file(&a.assembly),
             specification_sha256: report.specification_sha256,
             measured,

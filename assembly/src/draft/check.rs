@@ -1,6 +1,6 @@
 //! What can be wrong with a draft beyond its form.
 
-use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::name::{self, nearest};
 use assemcad_model::param::clip;
 use assemcad_model::spec::{End, Mate, Part};
@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 use super::layout::{coincident, unreached, unsupported};
 use super::read::{Draft, Loose};
 use crate::Workshop;
+use crate::axioms::cite::Cited;
 use crate::resolve::{self, ResolvedMate, ResolvedPart};
 
 /// Everything that is wrong with parts and mates. What depends on something that is itself at fault is
@@ -131,9 +132,13 @@ fn mates(
     for (i, loose) in draft.mates.iter().enumerate() {
         let Some(mate) = &loose.whole else { continue };
         let at = |field: &str| format!("mates[{i}].{field}");
+        let mut cited = Cited::of_type(mate.mate_type);
         if ends(draft, &there, mate, &at, found) {
             match resolve::mate(&there, assembly, mate, &at) {
-                Ok(mate) => resolved.push((i, mate)),
+                Ok(mate) => {
+                    cited = Cited::resolved(&mate, &there);
+                    resolved.push((i, mate));
+                }
                 Err(faults) => {
                     let place = |d| placed(draft, for_a_draft(d));
                     found.extend(faults.into_iter().map(place));
@@ -153,17 +158,10 @@ fn mates(
                 }
             }
         }
-        if mate.axioms.is_empty() {
-            let place = draft.place(&format!("mates[{i}]"));
-            found.push(
-                Diagnostic::warning(
-                    Code::AxiomMissing,
-                    place,
-                    format!("the mate '{}' cites no axiom", clip(&mate.id)),
-                )
-                .hint("say why it is there: axioms: [...], or a note while none fits"),
-            );
-        }
+        found.extend(cited.check(mate, Severity::Error, &|index| match index {
+            None => draft.place(&format!("mates[{i}]")),
+            Some(j) => draft.place(&format!("mates[{i}].axioms[{j}]")),
+        }));
     }
     resolved
 }

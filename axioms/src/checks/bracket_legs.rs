@@ -23,6 +23,10 @@ impl Check for BracketLegs {
     }
 
     fn run(&self, facts: &Facts) -> Vec<Verdict> {
+        // A part by itself is no assembly: there is nothing to join it to.
+        if facts.parts.len() == 1 {
+            return Vec::new();
+        }
         let mut out = Vec::new();
         for part in &facts.parts {
             if !matches!(part.class(), Class::Bracket | Class::Channel) {

@@ -21,6 +21,10 @@ impl Check for GroundNamed {
         let Some(root) = facts.root() else {
             return Vec::new();
         };
+        // A part by itself is no assembly: there is nothing to join it to.
+        if facts.parts.len() == 1 {
+            return Vec::new();
+        }
         let about = About::parts([root]);
         let Some(part) = facts.part(root) else {
             let message = format!("the ground '{root}' is no part");

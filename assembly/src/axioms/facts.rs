@@ -1,0 +1,103 @@
+//! What the checks of the axioms read, from a placed and measured assembly.
+
+use assemcad_axioms::facts::{Contact, Facts, Geometry, MateFacts, Measured, Overlap, PartFacts};
+use assemcad_model::report::{self, Overlapping, Verdict};
+use assemcad_model::spec::Assembly;
+use serde_json::{Map, Value};
+
+use crate::Workshop;
+use crate::axioms::check::Measurements;
+use crate::interference::limit_mm3;
+use crate::place::Placed;
+use crate::resolve::Resolved;
+
+/// The facts of an assembly. Materials are in no specification, and motion is not analysed yet: both stay
+/// unknown, and the checks say what they take for granted.
+pub(super) fn facts(
+    workshop: &Workshop,
+    spec: &Assembly,
+    resolved: &Resolved,
+    placed: &Placed,
+    measured: &Measurements<'_>,
+) -> Facts {
+    let parts = resolved.parts.iter().enumerate().map(|(i, p)| PartFacts {
+        id: p.id.clone(),
+        factory: p.factory.clone(),
+        class: None,
+        params: params(workshop, spec, &p.id, &p.factory),
+        ports: p.ports().to_vec(),
+        placement: placed.of(i),
+        material: None,
+        geometry: measured.parts.get(i).and_then(geometry),
+    });
+    let mates = resolved.mates.iter().map(|m| MateFacts {
+        id: m.mate.id.clone(),
+        mate_type: m.mate.mate_type,
+        base: m.mate.base.clone(),
+        incoming: m.mate.incoming.clone(),
+        options: m.mate.options.clone(),
+        axioms: m.mate.axioms.clone(),
+        has_notes: !m.mate.notes.trim().is_empty(),
+    });
+    Facts {
+        root: spec.root.clone(),
+        parts: parts.collect(),
+        mates: mates.collect(),
+        intended_mobility: spec.intended_mobility,
+        mobility: None,
+        measured: Measured {
+            overlaps: Some(overlaps(measured)),
+            contacts: Some(contacts(measured)),
+        },
+    }
+}
+
+/// The parameters of a part, with its factory's defaults filled in.
+fn params(workshop: &Workshop, spec: &Assembly, id: &str, factory: &str) -> Map<String, Value> {
+    let mut params = spec.part(id).map(|p| p.params.clone()).unwrap_or_default();
+    if let Ok(factory) = workshop.registry.get(factory) {
+        for p in factory.params() {
+            if !params.contains_key(&p.name) {
+                params.insert(p.name.clone(), p.default_value());
+            }
+        }
+    }
+    params
+}
+
+fn geometry(p: &report::PartFacts) -> Option<Geometry> {
+    Some(Geometry {
+        volume_mm3: p.volume_mm3?,
+        centre_mm: p.centre_mm?,
+        box_mm: p.box_mm?,
+    })
+}
+
+/// The volume that counts as meant is the one that the check of interference allows: what the mates mean
+/// and the threshold of the verification.
+fn overlaps(measured: &Measurements<'_>) -> Vec<Overlap> {
+    let overlap = |p: &report::PairFacts| Overlap {
+        a: p.a.clone(),
+        b: p.b.clone(),
+        common_mm3: match p.class {
+            Overlapping::Unknown => None,
+            _ => p.common_volume_mm3,
+        },
+        allowed_mm3: limit_mm3(p.allowed_mm3.unwrap_or_default(), measured.tau_mm3),
+    };
+    measured.pairs.iter().map(overlap).collect()
+}
+
+fn contacts(measured: &Measurements<'_>) -> Vec<Contact> {
+    let contact = |m: &report::MateFacts| {
+        Some(Contact {
+            mate: m.mate.clone(),
+            touches: match m.contact? {
+                Verdict::Pass => Some(true),
+                Verdict::Fail => Some(false),
+                Verdict::Indeterminate => None,
+            },
+        })
+    };
+    measured.mates.iter().filter_map(contact).collect()
+}
