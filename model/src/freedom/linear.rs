@@ -1,0 +1,152 @@
+//! Rank and null spaces, the same on every machine.
+
+use nalgebra::{DMatrix, SVD};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Singular values below this share of the largest one count as 0. Ours: a thousandth of what a residual at
+/// its limit (1e-6 mm on a part of 10 mm) would make, and far above the rounding of a chain of placements.
+pub const RANK_TOLERANCE: f64 = 1e-7;
+
+/// The largest singular value that counts as 0 must be this much smaller than the smallest that does not.
+/// Nearer to each other they do not tell a rank. Ours.
+pub const LARGEST_GAP: f64 = 1e-3;
+
+/// Steps after which a decomposition counts as failed.
+pub(super) const MOST_STEPS: usize = 100_000;
+
+/// A rank and how clearly it stands out.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Rank {
+    /// How many rows are independent.
+    pub rank: usize,
+    /// The largest singular value that counts as 0, as a share of the largest of all.
+    pub largest_zero: f64,
+    /// The smallest singular value that does not, as a share of the largest of all; 1 where there is none.
+    pub smallest_counted: f64,
+}
+
+impl Rank {
+    /// Whether the gap between the two is wide enough to tell the rank.
+    #[must_use]
+    pub fn is_clear(&self) -> bool {
+        self.largest_zero <= LARGEST_GAP * self.smallest_counted
+    }
+}
+
+/// The rank; none where a number is not finite or the decomposition does not end.
+pub(super) fn rank(a: &DMatrix<f64>) -> Option<Rank> {
+    let mut found = Rank {
+        rank: 0,
+        largest_zero: 0.0,
+        smallest_counted: 1.0,
+    };
+    if a.is_empty() {
+        return Some(found);
+    }
+    if a.iter().any(|x| !x.is_finite()) {
+        return None;
+    }
+    let values = SVD::try_new(a.clone(), false, false, f64::EPSILON, MOST_STEPS)?.singular_values;
+    let largest = values.max();
+    if largest == 0.0 {
+        return Some(found);
+    }
+    for share in values.iter().map(|v| v / largest) {
+        if share > RANK_TOLERANCE {
+            found.rank += 1;
+            found.smallest_counted = found.smallest_counted.min(share);
+        } else {
+            found.largest_zero = found.largest_zero.max(share);
+        }
+    }
+    Some(found)
+}
+
+/// A basis of what a matrix of known rank takes to 0, as columns: elimination with the largest entry left as
+/// pivot (the first of equals), then one column for each unknown that was no pivot, in their order.
+pub(super) fn null_space(a: &DMatrix<f64>, rank: usize) -> DMatrix<f64> {
+    let (mut a, n) = (a.clone(), a.ncols());
+    let rank = rank.min(a.nrows()).min(n);
+    let mut columns: Vec<usize> = (0..n).collect();
+    for k in 0..rank {
+        let (mut row, mut col, mut most) = (k, k, -1.0);
+        for j in k..n {
+            for i in k..a.nrows() {
+                // The margin keeps rounding from choosing between equals.
+                if a[(i, j)].abs() > most * (1.0 + 1e-9) {
+                    (row, col, most) = (i, j, a[(i, j)].abs());
+                }
+            }
+        }
+        a.swap_rows(k, row);
+        a.swap_columns(k, col);
+        columns.swap(k, col);
+        let pivot = a[(k, k)];
+        for j in 0..n {
+            a[(k, j)] /= pivot;
+        }
+        for i in (0..a.nrows()).filter(|i| *i != k) {
+            let by = a[(i, k)];
+            if by != 0.0 {
+                for j in k..n {
+                    a[(i, j)] -= by * a[(k, j)];
+                }
+            }
+        }
+    }
+    let mut free: Vec<(usize, usize)> = columns.iter().copied().zip(0..n).skip(rank).collect();
+    free.sort_unstable();
+    let mut out = DMatrix::zeros(n, n - rank);
+    for (c, (unknown, column)) in free.into_iter().enumerate() {
+        out[(unknown, c)] = 1.0;
+        for (k, pivot) in columns.iter().take(rank).enumerate() {
+            out[(*pivot, c)] = -a[(k, column)];
+        }
+    }
+    out
+}
+
+/// The orthogonal complement of some vectors, as orthonormal rows: of the unit vectors, again and again the
+/// one that stands out most (the first of equals).
+pub(super) fn complement(span: &[nalgebra::Vector6<f64>]) -> Vec<nalgebra::Vector6<f64>> {
+    let mut basis: Vec<nalgebra::Vector6<f64>> = Vec::new();
+    for v in span {
+        let left = without(v, &basis);
+        if left.norm() > RANK_TOLERANCE * v.norm() {
+            basis.push(left.normalize());
+        }
+    }
+    let mut out = Vec::new();
+    while basis.len() < 6 {
+        let (mut best, mut most) = (nalgebra::Vector6::zeros(), 0.0);
+        for i in 0..6 {
+            let left = without(&nalgebra::Vector6::ith(i, 1.0), &basis);
+            if left.norm() > most * (1.0 + 1e-9) {
+                (best, most) = (left, left.norm());
+            }
+        }
+        // Some unit vector is always left while the basis is not full; a vector that is no number is not.
+        if most == 0.0 {
+            break;
+        }
+        let unit = best / most;
+        basis.push(unit);
+        out.push(unit);
+    }
+    out
+}
+
+/// What is left of a vector beside an orthonormal basis. Done twice, which takes the rounding out.
+pub(super) fn without(
+    v: &nalgebra::Vector6<f64>,
+    basis: &[nalgebra::Vector6<f64>],
+) -> nalgebra::Vector6<f64> {
+    let mut left = *v;
+    for _ in 0..2 {
+        for b in basis {
+            left -= b * b.dot(&left);
+        }
+    }
+    left
+}
