@@ -4,12 +4,14 @@ use nalgebra::{DMatrix, Vector3, Vector6};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::linear::{Rank, null_space, rank};
+use super::linear::{Rank, at as at_entry, null_space, rank, set};
 use super::link::Scaled;
-use super::motion::{self, Motion};
+use super::motion;
 use super::redundant::{self, Redundant};
 use super::rigid::Rigid;
+use super::words::{self, Motion};
 use super::{System, finite};
+use crate::report::rounded;
 
 /// Bodies that links join, in the order of their names, and their links, likewise.
 #[derive(Debug)]
@@ -147,12 +149,12 @@ impl Model {
         let mut row = 0;
         for (base, incoming, link) in &self.links {
             for w in link.jacobian(&moved(at, *base), &moved(at, *incoming)) {
-                for i in 0..6 {
-                    if let Some(b) = base {
-                        out[(row, 6 * b + i)] -= w[i];
-                    }
-                    if let Some(c) = incoming {
-                        out[(row, 6 * c + i)] += w[i];
+                for (body, sign) in [(base, -1.0), (incoming, 1.0)] {
+                    for (i, entry) in w.iter().enumerate() {
+                        if let Some(b) = body {
+                            let was = at_entry(&out, row, 6 * b + i);
+                            set(&mut out, row, 6 * b + i, was + sign * entry);
+                        }
                     }
                 }
                 row += 1;
@@ -203,8 +205,8 @@ impl Island {
             floating: self.floating,
             mobility: inner.map(|d| if self.floating { d + 6 } else { d }),
             constraints: model.rows(),
-            rank,
-            characteristic_length_mm: model.length,
+            rank: rank.map(Rank::reported),
+            characteristic_length_mm: rounded(model.length),
         };
         let Some(rank) = clear else {
             return Found {
@@ -224,7 +226,7 @@ impl Island {
             (lasting, Some(each))
         };
         Found {
-            motions: motion::named(self, &model, system, &basis, each.as_deref()),
+            motions: words::named(self, &model, system, &basis, each.as_deref()),
             facts,
             redundant,
             lasting,

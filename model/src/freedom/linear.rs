@@ -34,6 +34,22 @@ impl Rank {
     }
 }
 
+impl Rank {
+    /// As it is reported: the last digits of singular values depend on the processor.
+    pub(super) fn reported(self) -> Self {
+        let digits = |x: f64| format!("{x:.2e}").parse().unwrap_or(x);
+        Self {
+            largest_zero: if self.largest_zero < 1e-12 {
+                0.0
+            } else {
+                digits(self.largest_zero)
+            },
+            smallest_counted: digits(self.smallest_counted),
+            ..self
+        }
+    }
+}
+
 /// The rank; none where a number is not finite or the decomposition does not end.
 pub(super) fn rank(a: &DMatrix<f64>) -> Option<Rank> {
     let mut found = Rank {
@@ -71,27 +87,24 @@ pub(super) fn null_space(a: &DMatrix<f64>, rank: usize) -> DMatrix<f64> {
     let mut columns: Vec<usize> = (0..n).collect();
     for k in 0..rank {
         let (mut row, mut col, mut most) = (k, k, -1.0);
-        for j in k..n {
-            for i in k..a.nrows() {
+        for (j, column) in a.column_iter().enumerate().skip(k) {
+            for (i, entry) in column.iter().enumerate().skip(k) {
                 // The margin keeps rounding from choosing between equals.
-                if a[(i, j)].abs() > most * (1.0 + 1e-9) {
-                    (row, col, most) = (i, j, a[(i, j)].abs());
+                if entry.abs() > most * (1.0 + 1e-9) {
+                    (row, col, most) = (i, j, entry.abs());
                 }
             }
         }
         a.swap_rows(k, row);
         a.swap_columns(k, col);
         columns.swap(k, col);
-        let pivot = a[(k, k)];
-        for j in 0..n {
-            a[(k, j)] /= pivot;
-        }
+        let pivot = a.row(k) / at(&a, k, k);
+        a.set_row(k, &pivot);
         for i in (0..a.nrows()).filter(|i| *i != k) {
-            let by = a[(i, k)];
+            let by = at(&a, i, k);
             if by != 0.0 {
-                for j in k..n {
-                    a[(i, j)] -= by * a[(k, j)];
-                }
+                let mut row = a.row_mut(i);
+                row -= &pivot * by;
             }
         }
     }
@@ -99,12 +112,23 @@ pub(super) fn null_space(a: &DMatrix<f64>, rank: usize) -> DMatrix<f64> {
     free.sort_unstable();
     let mut out = DMatrix::zeros(n, n - rank);
     for (c, (unknown, column)) in free.into_iter().enumerate() {
-        out[(unknown, c)] = 1.0;
+        set(&mut out, unknown, c, 1.0);
         for (k, pivot) in columns.iter().take(rank).enumerate() {
-            out[(*pivot, c)] = -a[(k, column)];
+            set(&mut out, *pivot, c, -at(&a, k, column));
         }
     }
     out
+}
+
+/// An entry; what is outside the matrix is no number.
+pub(super) fn at(a: &DMatrix<f64>, row: usize, column: usize) -> f64 {
+    a.get((row, column)).copied().unwrap_or(f64::NAN)
+}
+
+pub(super) fn set(a: &mut DMatrix<f64>, row: usize, column: usize, value: f64) {
+    if let Some(entry) = a.get_mut((row, column)) {
+        *entry = value;
+    }
 }
 
 /// The orthogonal complement of some vectors, as orthonormal rows: of the unit vectors, again and again the

@@ -138,8 +138,11 @@ impl Scaled {
         let ScaledHold::Free { free, .. } = &self.hold else {
             return Vec::new();
         };
+        if free.is_empty() {
+            return Vec::new();
+        }
         let local = self.frame.inverse().twist(relative);
-        let t = nalgebra::DMatrix::from_fn(6, free.len(), |i, j| free.get(j).map_or(0.0, |f| f[i]));
+        let t = nalgebra::OMatrix::<f64, nalgebra::U6, nalgebra::Dyn>::from_columns(free);
         let normal = t.transpose() * &t;
         let right = t.transpose() * local;
         match normal.cholesky() {

@@ -30,6 +30,7 @@ mod link;
 mod motion;
 mod redundant;
 mod rigid;
+mod words;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -40,8 +41,8 @@ use crate::mates::Twist;
 pub use from_mate::{link_of, spin_axis};
 pub use island::IslandFacts;
 pub use linear::{LARGEST_GAP, RANK_TOLERANCE, Rank};
-pub use motion::{BodyMotion, Kind, Motion};
 pub use redundant::Redundant;
+pub use words::{BodyMotion, Kind, Motion};
 
 /// Bodies and what joins them.
 #[derive(Debug, Clone, Default)]

@@ -43,7 +43,7 @@ fn planetary(planets: usize, ring_is_fixed: bool) -> Maker {
         .free(0, 3, [0.0; 3], Z, if ring_is_fixed { &[] } else { &[TURN] });
     for i in 0..planets {
         let angle = i as f64 * core::f64::consts::TAU / 3.0;
-        let at = [18.0 * angle.cos(), 18.0 * angle.sin(), 0.0];
+        let at = [18.0 * libm::cos(angle), 18.0 * libm::sin(angle), 0.0];
         m = m
             .turn(2, 4 + i, at, Z)
             .mesh(1, 4 + i, [0.0; 3], at, -20.0 / 16.0);
@@ -112,7 +112,7 @@ fn a_closed_train_of_two_ratios_is_locked() {
 /// moves along the pitch circle, by s tan(30 degrees) / r.
 #[test]
 fn a_sliding_helical_pinion_turns_its_wheel() {
-    let slope = (30.0f64).to_radians().tan();
+    let slope = libm::tan(30.0f64.to_radians());
     let f = Maker::new(&["housing", "pinion", "wheel"])
         .free(0, 1, [0.0; 3], Z, &[[0.0, 0.0, 0.0, 0.0, 0.0, 1.0]])
         .turn(0, 2, [30.0, 0.0, 0.0], Z)

@@ -144,7 +144,7 @@ proptest! {
     ) {
         for system in samples() {
             let wanted = summary(&analyse(&system));
-            let scale = 10f64.powf(log_scale);
+            let scale = libm::pow(10.0, log_scale);
             let by = placement_of(p.map(|c| c * scale), axis, deg);
             prop_assert_eq!(&summary(&analyse(&moved(&system, &by, scale))), &wanted);
             let other = analyse(&reordered(&system, turn));

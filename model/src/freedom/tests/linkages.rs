@@ -97,11 +97,10 @@ fn a_slider_crank_turns_and_slides() {
 fn a_bennett_linkage_has_one_motion_where_kutzbach_counts_minus_two() {
     let bennett = |b_factor: f64| {
         let (alpha, beta) = (0.5f64, 1.1f64);
-        let (a, b) = (40.0, 40.0 * beta.sin() / alpha.sin() * b_factor);
+        let (a, b) = (40.0, 40.0 * libm::sin(beta) / libm::sin(alpha) * b_factor);
         let t1 = 1.2f64;
-        let t2 = 2.0
-            * (((beta + alpha) / 2.0).sin() / ((beta - alpha) / 2.0).sin() / (t1 / 2.0).tan())
-                .atan();
+        let (plus, minus) = ((beta + alpha) / 2.0, (beta - alpha) / 2.0);
+        let t2 = 2.0 * libm::atan(libm::sin(plus) / libm::sin(minus) / libm::tan(t1 / 2.0));
         // Denavit and Hartenberg: turn about z, along x, twist about x. Angles t1, t2, -t1, -t2 close the loop.
         let mut frame = crate::frame::Placement::IDENTITY;
         let mut m = Maker::new(&["l0", "l1", "l2", "l3"]);

@@ -134,7 +134,7 @@ fn a_bolt_through_two_plates_with_clearance_spins_and_slides_until_it_is_seated(
         UP,
         &[("diameter", 6.6), ("depth", 10.0)],
     );
-    // Plate is turned over by the mate: its hole at x = 30 + 30 of the base? Its face is on the base's face point.
+    // The plate lies turned over on the base: its hole, where the base has its own, looks against the base's.
     let at = b.at[plate].inverse().point(O);
     let through = port(
         ClearanceHole,
@@ -198,7 +198,7 @@ fn a_press_fitted_bearing_stands_and_its_shaft_turns() {
         ("shaft", &shaft),
         json!({"direction": "same"}),
     );
-    b.spins(at, &[shaft.clone()]);
+    b.spins(at, core::slice::from_ref(&shaft));
     let f = b.solve();
     // A shaft's turning is what it is for: not idle.
     assert_eq!((numbers(&f), f.idle_spins), ((2, 0, 2), 0));
