@@ -14,6 +14,7 @@ use petgraph::visit::Bfs;
 use serde_json::{Map, Value, json};
 
 use crate::build::{box_of, reported};
+use crate::freedom_check::check_freedom;
 use crate::place::{self, Placed};
 use crate::resolve::{self, Resolved};
 use crate::state::hash;
@@ -24,8 +25,7 @@ use crate::{Faults, Workshop};
 pub const DEFAULT_TAU_MM3: f64 = 0.001;
 
 /// What this version does not check.
-const NOT_CHECKED: [&str; 3] = [
-    "freedom: which motions the mates leave, and whether they are intended",
+const NOT_CHECKED: [&str; 2] = [
     "motion: collisions away from the pose in which the assembly was built",
     "engineering rules: strength, fits, bearing arrangement, and whether the machine can be put together",
 ];
@@ -84,6 +84,7 @@ impl Workshop {
         self.check_contact(&resolved, &placed, &pairs, &mut mates, tau_mm3, &mut run)
             .await;
         check_connectivity(spec, &resolved, &mut run);
+        let freedom = check_freedom(spec, &resolved, &placed, &mut run);
         // Stable: within a verdict, the order of the checks and of the specification.
         run.findings.sort_by_key(|f| core::cmp::Reverse(f.verdict));
         let verdict = run
@@ -104,6 +105,7 @@ impl Workshop {
             parts,
             mates,
             pairs,
+            freedom,
         })
     }
 
