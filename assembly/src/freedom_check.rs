@@ -131,8 +131,8 @@ fn judge(freedom: &Freedom, intended: Option<u32>) -> (Verdict, String, Option<F
     let wanted = intended as usize;
     let Some(lasting) = freedom.lasting_mobility else {
         let message = format!(
-            "{wanted} motions are intended; {first_order} are free at this instant, and whether they go on could \
-             not be told"
+            "{} intended; {first_order} free at this instant, and whether they go on could not be told",
+            motions(wanted)
         );
         let found = with_values(open(message), freedom, intended);
         return (Verdict::Indeterminate, said, Some(found));
@@ -147,8 +147,8 @@ fn judge(freedom: &Freedom, intended: Option<u32>) -> (Verdict, String, Option<F
     };
     if real < wanted && wanted <= lasting {
         let message = format!(
-            "{wanted} motions are intended: there are {real}, and {lasting} only if these spins of parts about \
-             themselves are meant: {}",
+            "{} intended: {real} free, and {lasting} only if these spins of parts about themselves are meant: {}",
+            motions(wanted),
             brief(&names(true))
         );
         let found = with_values(open(message), freedom, intended);
@@ -167,7 +167,11 @@ fn judge(freedom: &Freedom, intended: Option<u32>) -> (Verdict, String, Option<F
     let d = Diagnostic::error(
         Code::MobilityDiffers,
         "assembly.intended_mobility",
-        format!("{wanted} motions are intended and {real} are free: {free}"),
+        format!(
+            "{} intended and {real} {} free: {free}",
+            motions(wanted),
+            if real == 1 { "is" } else { "are" }
+        ),
     )
     .found(real)
     .expected(wanted);
@@ -192,7 +196,10 @@ fn summary(freedom: &Freedom, first_order: usize) -> String {
     let idle = freedom.idle_spins;
     let mut said = format!("mobility {}", first_order - idle.min(first_order));
     if idle > 0 {
-        said.push_str(&format!(" and {idle} idle spins"));
+        said.push_str(&format!(
+            " and {idle} idle spin{}",
+            if idle == 1 { "" } else { "s" }
+        ));
     }
     let motions = freedom.motions.iter().filter(|m| !m.idle);
     let names: Vec<String> = motions.map(|m| m.name.clone()).collect();
@@ -215,11 +222,18 @@ fn summary(freedom: &Freedom, first_order: usize) -> String {
             .flat_map(|r| r.mates.clone())
             .collect();
         said.push_str(&format!(
-            "; {redundant} redundant constraints among {}",
+            "; {redundant} redundant among the constraints of {}",
             listed(&mates)
         ));
     }
     said
+}
+
+fn motions(n: usize) -> String {
+    match n {
+        1 => "1 motion is".to_owned(),
+        n => format!("{n} motions are"),
+    }
 }
 
 /// The first names, and how many more there are.

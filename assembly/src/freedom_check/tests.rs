@@ -183,7 +183,7 @@ fn a_lid_that_is_held_twice_names_its_mates() {
     );
     assert_eq!(
         found.diagnostic.message,
-        "1 motions are intended and 0 are free: nothing moves"
+        "1 motion is intended and 0 are free: nothing moves"
     );
     assert_eq!(found.values["redundant_constraints"], 6);
 }
@@ -253,8 +253,10 @@ fn idle_spins_do_not_pass_for_motions() {
         redundant: vec![Redundant {
             count: 3,
             mates: vec!["m".to_owned()],
+            repeated: vec![3],
             dispensable: Vec::new(),
         }],
+        joints: Vec::new(),
         islands: Vec::new(),
     };
     let verdict = |real, intended| judge(&freedom(real), Some(intended)).0;

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, Vector3, Vector6};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::joints::{self, JointMotion};
 use super::linear::{Rank, at as at_entry, null_space, rank, set};
 use super::link::Scaled;
 use super::motion;
@@ -45,6 +46,7 @@ pub(super) struct Found {
     pub(super) facts: IslandFacts,
     pub(super) motions: Vec<Motion>,
     pub(super) redundant: Vec<Redundant>,
+    pub(super) joints: Vec<JointMotion>,
     pub(super) lasting: Option<usize>,
 }
 
@@ -213,11 +215,13 @@ impl Island {
                 facts,
                 motions: Vec::new(),
                 redundant: Vec::new(),
+                joints: Vec::new(),
                 lasting: None,
             };
         };
         let redundant = redundant::find(self, system, &model, &matrix, rank.rank);
-        let basis = motion::basis(&model, system, &matrix, &null_space(&matrix, rank.rank));
+        let free = null_space(&matrix, rank.rank);
+        let basis = motion::basis(&model, system, &matrix, &free);
         // Without redundant rows the poses are a smooth set as wide as its tangents.
         let (lasting, each) = if matrix.nrows() == rank.rank {
             (Some(basis.motions.len()), None)
@@ -229,6 +233,7 @@ impl Island {
             motions: words::named(self, &model, system, &basis, each.as_deref()),
             facts,
             redundant,
+            joints: joints::find(self, system, &model, &free),
             lasting,
         }
     }

@@ -79,6 +79,16 @@ pub(super) fn rank(a: &DMatrix<f64>) -> Option<Rank> {
     Some(found)
 }
 
+/// The rank of a matrix whose entries are about 1 or mere rounding: a 1 of its own beside it keeps the latter
+/// from being counted.
+pub(super) fn rank_above(a: &DMatrix<f64>) -> usize {
+    let (m, n) = a.shape();
+    let mut beside = DMatrix::zeros(m + 1, n + 1);
+    beside.view_mut((0, 0), (m, n)).copy_from(a);
+    set(&mut beside, m, n, 1.0);
+    rank(&beside).map_or(n, |r| r.rank.saturating_sub(1))
+}
+
 /// A basis of what a matrix of known rank takes to 0, as columns: elimination with the largest entry left as
 /// pivot (the first of equals), then one column for each unknown that was no pivot, in their order.
 pub(super) fn null_space(a: &DMatrix<f64>, rank: usize) -> DMatrix<f64> {

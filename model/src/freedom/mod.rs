@@ -25,6 +25,7 @@
 mod finite;
 mod from_mate;
 mod island;
+mod joints;
 mod linear;
 mod link;
 mod motion;
@@ -40,6 +41,7 @@ use crate::mates::Twist;
 
 pub use from_mate::{link_of, spin_axis};
 pub use island::IslandFacts;
+pub use joints::JointMotion;
 pub use linear::{LARGEST_GAP, RANK_TOLERANCE, Rank};
 pub use redundant::Redundant;
 pub use words::{BodyMotion, Kind, Motion};
@@ -133,6 +135,8 @@ pub struct Freedom {
     pub motions: Vec<Motion>,
     /// Constraints that say again what others say, by the loops in which they do.
     pub redundant: Vec<Redundant>,
+    /// What is left between the two parts of each mate, by the mates' names.
+    pub joints: Vec<JointMotion>,
     /// Each connected set of bodies.
     pub islands: Vec<IslandFacts>,
 }
@@ -147,6 +151,7 @@ pub fn analyse(system: &System) -> Freedom {
         lasting_mobility: Some(0),
         motions: Vec::new(),
         redundant: Vec::new(),
+        joints: Vec::new(),
         islands: Vec::new(),
     };
     let plus = |sum: Option<usize>, more: Option<usize>| Some(sum? + more?);
@@ -158,9 +163,11 @@ pub fn analyse(system: &System) -> Freedom {
         out.idle_spins += found.motions.iter().filter(|m| m.idle).count();
         out.motions.extend(found.motions);
         out.redundant.extend(found.redundant);
+        out.joints.extend(found.joints);
         out.islands.push(found.facts);
     }
     out.motions.sort_by_key(|m| !m.idle);
+    out.joints.sort_by(|a, b| a.mate.cmp(&b.mate));
     out
 }
 

@@ -9,7 +9,7 @@ use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::System;
 use super::island::{Model, twist_of};
-use super::linear::{null_space, rank, set};
+use super::linear::{null_space, rank_above};
 use super::rigid::{angular, stack};
 
 /// Free motions as twists of all moving bodies, in the island's units.
@@ -110,12 +110,7 @@ fn idle(model: &Model, system: &System, matrix: &DMatrix<f64>) -> Vec<DVector<f6
     }
     let spins = DMatrix::from_columns(&spins);
     let work = matrix * &spins;
-    // With a 1 of its own beside it the rank does not count what is mere rounding.
-    let (m, n) = work.shape();
-    let mut beside = DMatrix::zeros(m + 1, n + 1);
-    beside.view_mut((0, 0), (m, n)).copy_from(&work);
-    set(&mut beside, m, n, 1.0);
-    let held = rank(&beside).map_or(n, |r| r.rank.saturating_sub(1));
+    let held = rank_above(&work);
     let free = spins * null_space(&work, held);
     free.column_iter().map(|c| c.into_owned()).collect()
 }

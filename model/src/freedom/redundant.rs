@@ -19,6 +19,8 @@ pub struct Redundant {
     pub count: usize,
     /// The mates among which they are, by name.
     pub mates: Vec<String>,
+    /// How many constraints of each of them something else holds as well, in the same order.
+    pub repeated: Vec<usize>,
     /// Those of them that could be left out, each alone, without anything coming free.
     pub dispensable: Vec<String>,
 }
@@ -45,8 +47,9 @@ pub(super) fn find(
         let taken: Vec<usize> = (0..part.ncols())
             .filter(|c| part.column(*c).amax() > NO_WEIGHT * stresses.column(*c).amax())
             .collect();
-        let spare = rows > 0 && rank(&part).is_some_and(|r| r.rank == rows);
-        links.push((name(index), taken, spare));
+        let repeated = rank(&part).map_or(0, |r| r.rank);
+        let spare = rows > 0 && repeated == rows;
+        links.push((name(index), taken, spare, repeated));
     }
     let mut left: Vec<usize> = (0..stresses.ncols()).collect();
     let mut out = Vec::new();
@@ -54,7 +57,7 @@ pub(super) fn find(
         let mut group = vec![first];
         loop {
             let before = group.len();
-            for (_, taken, _) in &links {
+            for (_, taken, _, _) in &links {
                 if taken.iter().any(|s| group.contains(s)) {
                     group.extend(
                         taken
@@ -72,14 +75,15 @@ pub(super) fn find(
         let members = || {
             links
                 .iter()
-                .filter(|(_, taken, _)| taken.iter().any(|s| group.contains(s)))
+                .filter(|(_, taken, _, _)| taken.iter().any(|s| group.contains(s)))
         };
         out.push(Redundant {
             count: group.len(),
-            mates: members().map(|(n, _, _)| (*n).to_owned()).collect(),
+            mates: members().map(|(n, _, _, _)| (*n).to_owned()).collect(),
+            repeated: members().map(|(_, _, _, repeated)| *repeated).collect(),
             dispensable: members()
-                .filter(|(_, _, spare)| *spare)
-                .map(|(n, _, _)| (*n).to_owned())
+                .filter(|(_, _, spare, _)| *spare)
+                .map(|(n, _, _, _)| (*n).to_owned())
                 .collect(),
         });
     }

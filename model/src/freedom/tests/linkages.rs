@@ -24,6 +24,7 @@ fn a_plane_four_bar_has_one_motion_and_three_redundant_constraints() {
     assert_eq!(f.redundant[0].mates, ["j0", "j1", "j2", "j3"]);
     // No joint is superfluous as a whole: each holds two freedoms in the plane that nothing else does.
     assert!(f.redundant[0].dispensable.is_empty());
+    assert_eq!(f.redundant[0].repeated, [3; 4]);
     // The driver is the crank; the angular speed of the rocker follows from the instant centre I of ground and
     // coupler: crank line y = 2 x, rocker line y = 4.5 (x - 60), meeting at x = 108, y = 216. The coupler turns
     // by -|A - O| / |A - I|, and the rocker by that times -(|B - I| / |B - C|); all on lines, so by x alone:
@@ -231,6 +232,12 @@ fn a_spindle_drives_its_nut() {
     assert_eq!(nut.kind, Kind::Slide);
     // The nut moves against the spindle's turn, which goes the other way round in its own frame.
     assert!((nut.travel_mm + advance).abs() < 1e-6, "{nut:?}");
+    let left: Vec<_> = f
+        .joints
+        .iter()
+        .map(|j| (j.turns, j.slides, j.screws))
+        .collect();
+    assert_eq!(left, [(1, 0, 0), (0, 0, 1), (0, 1, 0)]);
 }
 
 #[test]
@@ -248,6 +255,12 @@ fn a_chain_is_named_joint_by_joint() {
             "'hand' slides along x",
         ]
     );
+    let left: Vec<_> = f
+        .joints
+        .iter()
+        .map(|j| (j.turns, j.slides, j.screws))
+        .collect();
+    assert_eq!(left, [(1, 0, 0), (1, 1, 0)]);
 }
 
 /// A cross of two axes is no group of motions: what it does at a finite step is not known from its twists.
