@@ -120,7 +120,11 @@ impl Scaled {
                 let psi = libm::atan2(r.m21 - r.m12, r.m11 + r.m22);
                 let theta = libm::atan2(was.x * is.y - was.y * is.x, was.x * is.x + was.y * is.y);
                 let along = (x - a) * (psi - (1.0 - ratio) * theta);
-                vec![sign(x) * along - slope * (is.z - was.z)]
+                // Where the incoming gear's middle plane stands at the pitch point, also when it tilts.
+                let (dir, _, x_now) = pitch_point(&is, *ratio);
+                let to = dir * x_now - is;
+                let height = is.z - (r.m13 * to.x + r.m23 * to.y) / r.m33;
+                vec![sign(x) * along - slope * (height - was.z)]
             }
         }
     }

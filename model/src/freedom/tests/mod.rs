@@ -4,6 +4,7 @@ mod gears;
 mod invariance;
 mod linkages;
 mod mates;
+mod parts;
 
 use super::{Axis, Body, Freedom, Hold, Lasting, Link, System, analyse};
 use crate::frame::{Frame, Placement};
