@@ -174,7 +174,7 @@ assembly:
   description: \"All that a specification may hold\"
   notes: \"Reasons may take\\nseveral lines.\\n\"
   root: block
-  intended_mobility: 0
+  intended_mobility: 3
   parts:
     - id: plate
       factory: base_frame.rect_plate

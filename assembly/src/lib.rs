@@ -9,6 +9,7 @@ mod contact_check;
 pub mod draft;
 pub mod edit;
 pub mod export;
+mod freedom_check;
 mod interference;
 mod made;
 pub mod place;

@@ -15,6 +15,7 @@ use serde_json::{Map, Value, json};
 
 use crate::axioms::{self, Measurements};
 use crate::build::{box_of, reported};
+use crate::freedom_check::check_freedom;
 use crate::place::{self, Placed};
 use crate::resolve::{self, Resolved};
 use crate::state::hash;
@@ -25,8 +26,7 @@ use crate::{Faults, Workshop};
 pub const DEFAULT_TAU_MM3: f64 = 0.001;
 
 /// What this version does not check.
-const NOT_CHECKED: [&str; 3] = [
-    "freedom: which motions the mates leave, and whether they are intended",
+const NOT_CHECKED: [&str; 2] = [
     "motion: collisions away from the pose in which the assembly was built",
     "strength: loads, stresses and life of parts and joints",
 ];
@@ -85,11 +85,13 @@ impl Workshop {
         self.check_contact(&resolved, &placed, &pairs, &mut mates, tau_mm3, &mut run)
             .await;
         check_connectivity(spec, &resolved, &mut run);
+        let freedom = check_freedom(spec, &resolved, &placed, &mut run);
         let measured = Measurements {
             parts: &parts,
             mates: &mates,
             pairs: &pairs,
             tau_mm3,
+            freedom: freedom.as_ref(),
         };
         let axioms = axioms::run(self, spec, &resolved, &placed, &measured, &mut run);
         let mut not_checked = NOT_CHECKED.map(str::to_owned).to_vec();
@@ -115,6 +117,7 @@ impl Workshop {
             parts,
             mates,
             pairs,
+            freedom,
         })
     }
 

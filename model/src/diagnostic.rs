@@ -131,6 +131,8 @@ pub enum Code {
     Clash,
     /// A part is not joined to the root.
     Unconnected,
+    /// More or fewer motions are free than the specification intends.
+    MobilityDiffers,
     /// A check could not be carried out.
     Indeterminate,
     /// The assembly has no parts.

@@ -9,6 +9,7 @@ pub mod angle;
 pub mod canonical;
 pub mod diagnostic;
 pub mod frame;
+pub mod freedom;
 pub mod language;
 pub mod mates;
 pub mod name;

@@ -6,6 +6,7 @@ use serde_json::{Map, Value};
 
 use crate::diagnostic::Diagnostic;
 use crate::frame::Rows;
+use crate::freedom::Freedom;
 use crate::mates::{MateType, Residual};
 
 /// The version of the report's format.
@@ -64,6 +65,9 @@ pub struct Report {
     pub mates: Vec<MateFacts>,
     /// The pairs of parts whose boxes meet; all other pairs are apart.
     pub pairs: Vec<PairFacts>,
+    /// Which motions the mates leave, where that could be told.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub freedom: Option<Freedom>,
 }
 
 /// One kind of check, over the whole assembly.

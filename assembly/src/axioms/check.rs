@@ -9,6 +9,7 @@ use assemcad_axioms::axiom::{Axiom, Checking, Force, Need};
 use assemcad_axioms::verdict::Verdict as Told;
 use assemcad_axioms::{Facts, Status, axioms, checks};
 use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
+use assemcad_model::freedom::Freedom;
 use assemcad_model::report::{
     AxiomFacts, AxiomRole, AxiomStatus, Axioms, Finding, MateFacts, PairFacts, PartFacts, Verdict,
 };
@@ -23,7 +24,7 @@ use crate::verify::Run;
 
 const CHECK: &str = "axioms";
 
-const NO_MOTION: &str = "it needs an analysis of motion, which there is none of yet";
+const NO_MOTION: &str = "it needs the motions that the mates leave, and those could not be told";
 const NOT_WRITTEN: &str = "its check is not written yet";
 
 /// What the other checks measured.
@@ -32,6 +33,8 @@ pub(crate) struct Measurements<'a> {
     pub(crate) mates: &'a [MateFacts],
     pub(crate) pairs: &'a [PairFacts],
     pub(crate) tau_mm3: f64,
+    /// Which motions the mates leave, where that could be told.
+    pub(crate) freedom: Option<&'a Freedom>,
 }
 
 /// Checks the axioms, after all other checks: a finding that one of those has made already is not made

@@ -1,6 +1,10 @@
 //! What the checks of the axioms read, from a placed and measured assembly.
 
-use assemcad_axioms::facts::{Contact, Facts, Geometry, MateFacts, Measured, Overlap, PartFacts};
+use assemcad_axioms::facts::{
+    Contact, Facts, Geometry, JointMotion, MateFacts, Measured, Mobility, Overlap, PartFacts,
+    Redundant,
+};
+use assemcad_model::freedom::Freedom;
 use assemcad_model::report::{self, Overlapping, Verdict};
 use assemcad_model::spec::Assembly;
 use serde_json::{Map, Value};
@@ -11,8 +15,8 @@ use crate::interference::limit_mm3;
 use crate::place::Placed;
 use crate::resolve::Resolved;
 
-/// The facts of an assembly. Materials are in no specification, and motion is not analysed yet: both stay
-/// unknown, and the checks say what they take for granted.
+/// The facts of an assembly. Materials are in no specification and stay unknown: the checks say what they
+/// take for granted.
 pub(super) fn facts(
     workshop: &Workshop,
     spec: &Assembly,
@@ -44,12 +48,35 @@ pub(super) fn facts(
         parts: parts.collect(),
         mates: mates.collect(),
         intended_mobility: spec.intended_mobility,
-        mobility: None,
+        mobility: measured.freedom.and_then(mobility),
         measured: Measured {
             overlaps: Some(overlaps(measured)),
             contacts: Some(contacts(measured)),
         },
     }
+}
+
+/// The motions of the machine, idle spins left out; none where their number could not be told.
+fn mobility(freedom: &Freedom) -> Option<Mobility> {
+    let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
+    let redundant = freedom.redundant.iter().flat_map(|loop_| {
+        let each = loop_.mates.iter().zip(&loop_.repeated);
+        each.map(|(mate, repeated)| Redundant {
+            mate: mate.clone(),
+            count: count(*repeated),
+        })
+    });
+    let joints = freedom.joints.iter().map(|j| JointMotion {
+        mate: j.mate.clone(),
+        turns: count(j.turns),
+        slides: count(j.slides),
+        screws: count(j.screws),
+    });
+    Some(Mobility {
+        freedom: count(freedom.lasting_mobility?.saturating_sub(freedom.idle_spins)),
+        redundant: redundant.collect(),
+        joints: joints.collect(),
+    })
 }
 
 /// The parameters of a part, with its factory's defaults filled in.

@@ -1,0 +1,128 @@
+//! Small finite steps along the free motions.
+
+use nalgebra::{DMatrix, DVector, SVD};
+
+use super::Lasting;
+use super::island::{Model, twist_of};
+use super::linear::{MOST_STEPS, Rank, rank};
+use super::motion::Basis;
+use super::rigid::Rigid;
+
+/// The step, in radians or shares of the characteristic length. Ours: its square, by which a true motion
+/// bends, is far below it, and its cube far above rounding.
+const STEP: f64 = 1e-3;
+/// A true motion strays from its tangent by less than this share of the step.
+const TRUE: f64 = 0.05;
+/// An instantaneous one by more than this.
+const INSTANTANEOUS: f64 = 0.2;
+/// Residuals below this count as none.
+const NONE: f64 = 1e-13;
+/// Singular values below this share of the largest take no part in a correction.
+const WEAK: f64 = 1e-8;
+/// Corrections after which a step counts as lost.
+const MOST_CORRECTIONS: usize = 60;
+
+/// What came of a step.
+struct Stepped {
+    /// How far from its tangent it ended, as a share of the step.
+    strayed: f64,
+    /// How far from the start it ended, as a share of the step.
+    went: f64,
+    /// Free motions there; none where the rank cannot be told.
+    freedom: Option<usize>,
+}
+
+/// The dimension of the set of poses about this one, and which motions of the basis go on.
+pub(super) fn test(model: &Model, basis: &Basis) -> (Option<usize>, Vec<Lasting>) {
+    let d = basis.motions.len();
+    if d == basis.idle {
+        return (Some(d), vec![Lasting::True; d]);
+    }
+    if !model.links.iter().all(|(_, _, l)| l.is_group()) {
+        return (None, vec![Lasting::Indeterminate; d]);
+    }
+    let unit: Vec<DVector<f64>> = basis.motions.iter().map(DVector::normalize).collect();
+    // A direction between all of them, in no simple ratio. Where as many motions are free beyond it, the
+    // poses are a smooth set with all of them as tangents.
+    let mut mixed = DVector::zeros(model.columns());
+    for (i, v) in unit.iter().enumerate() {
+        let golden = 0.618_033_988_749_895 * (i as f64 + 1.0);
+        mixed += v * (0.5 + golden - libm::floor(golden));
+    }
+    let first = step(model, &mixed.normalize(), STEP);
+    if first
+        .as_ref()
+        .is_some_and(|s| s.strayed < TRUE && s.freedom == Some(d))
+    {
+        return (Some(d), vec![Lasting::True; d]);
+    }
+    let mut steps = vec![first];
+    let mut each = vec![Lasting::True; basis.idle];
+    for v in unit.iter().skip(basis.idle) {
+        let own = [
+            step(model, v, STEP),
+            step(model, v, -STEP),
+            step(model, v, STEP / 4.0),
+        ];
+        let all =
+            |what: &dyn Fn(&Stepped) -> bool| own.iter().all(|s| s.as_ref().is_some_and(what));
+        each.push(if all(&|s| s.strayed < TRUE) {
+            Lasting::True
+        } else if all(&|s| s.strayed > INSTANTANEOUS) {
+            Lasting::Instantaneous
+        } else {
+            Lasting::Indeterminate
+        });
+        steps.extend(own);
+    }
+    // Where a step led away from the start, the free motions there are those of a branch of the poses.
+    let lost = |s: &Stepped| s.went > INSTANTANEOUS && s.freedom.is_none();
+    let open = steps.iter().any(|s| s.as_ref().is_none_or(lost));
+    let branches = steps.iter().flatten().filter(|s| s.went > INSTANTANEOUS);
+    let widest = branches
+        .filter_map(|s| s.freedom)
+        .max()
+        .unwrap_or(basis.idle);
+    ((!open).then_some(widest), each)
+}
+
+/// A step along a motion, brought back onto the constraints; none where that does not come to an end.
+fn step(model: &Model, along: &DVector<f64>, size: f64) -> Option<Stepped> {
+    let wanted = along * size;
+    let bodies = || 0..model.moving.len();
+    let mut at: Vec<Rigid> = bodies()
+        .map(|b| Rigid::exp(&twist_of(&wanted, Some(b))))
+        .collect();
+    for _ in 0..MOST_CORRECTIONS {
+        let residual = model.residual(&at);
+        if residual.iter().any(|r| !r.is_finite()) {
+            return None;
+        }
+        let matrix = model.jacobian(&at);
+        if residual.amax() < NONE {
+            let now = bodies()
+                .zip(&at)
+                .flat_map(|(_, r)| r.log().iter().copied().collect::<Vec<_>>());
+            let now = DVector::from_iterator(model.columns(), now);
+            return Some(Stepped {
+                strayed: (&now - &wanted).norm() / size.abs(),
+                went: now.norm() / size.abs(),
+                freedom: rank(&matrix)
+                    .filter(Rank::is_clear)
+                    .map(|r| model.columns() - r.rank),
+            });
+        }
+        let by = solve(&matrix, &residual)?;
+        for (b, r) in bodies().zip(&mut at) {
+            *r = Rigid::exp(&-twist_of(&by, Some(b))).after(r);
+        }
+    }
+    None
+}
+
+/// The smallest correction of all that lower the residual most.
+fn solve(matrix: &DMatrix<f64>, residual: &DVector<f64>) -> Option<DVector<f64>> {
+    let svd = SVD::try_new(matrix.clone(), true, true, f64::EPSILON, MOST_STEPS)?;
+    let least = WEAK * svd.singular_values.max();
+    svd.solve(residual, least).ok()
+}
