@@ -133,13 +133,19 @@ mod tests {
     use assemcad_axioms::{axioms, checks};
 
     #[test]
-    fn advice_is_for_axioms_that_are_checked() {
-        let advised = axioms().iter().filter(|a| remedy(&a.id).is_some());
-        let mut n = 0;
-        for axiom in advised {
-            assert!(checks::of(axiom).is_some(), "{}", axiom.id);
-            n += 1;
-        }
-        assert_eq!(n, 35);
+    fn every_checked_axiom_has_advice_or_stands_here() {
+        let (checked, rest): (Vec<_>, Vec<_>) =
+            axioms().iter().partition(|a| checks::of(a).is_some());
+        assert!(rest.iter().all(|a| remedy(&a.id).is_none()));
+        let without = checked.iter().filter(|a| remedy(&a.id).is_none());
+        let without: Vec<&str> = without.map(|a| a.id.as_str()).collect();
+        // What other checks find and advise on, and what only says what there is.
+        assert_eq!(
+            without,
+            [
+                "C-01", "C-02", "C-05", "F-01", "F-03", "F-04", "F-05", "G-04", "H-01", "H-04",
+                "H-05", "K-01", "K-02", "K-03", "K-05", "N-01", "T-02", "T-12",
+            ]
+        );
     }
 }
