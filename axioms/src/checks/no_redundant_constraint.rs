@@ -2,7 +2,6 @@
 
 use super::Check;
 use crate::facts::Facts;
-use crate::joints::about;
 use crate::verdict::{About, Status, Verdict};
 
 /// What is constrained twice has a note.
@@ -36,31 +35,38 @@ impl Check for NoRedundantConstraint {
                 message,
             )];
         }
-        let mut out = Vec::new();
-        for r in &mobility.redundant {
-            let mate = facts.mates.iter().find(|m| m.id == r.mate);
-            let reason = mate.is_some_and(|m| m.has_notes);
-            let message = if reason {
-                format!(
-                    "'{}' takes {} freedoms again, and has a note",
-                    r.mate, r.count
-                )
-            } else {
-                format!(
-                    "'{}' takes {} freedoms again, without a note that gives the reason",
-                    r.mate, r.count
-                )
-            };
-            out.push(
-                Verdict::held(
-                    self.axiom(),
-                    reason,
-                    mate.map(about).unwrap_or_default(),
-                    message,
-                )
-                .value("redundant", f64::from(r.count)),
-            );
-        }
-        out
+        // One verdict: in a loop every mate repeats what the others hold, and to name each of them alone
+        // would say the same over and over.
+        let noted = |mate: &str| facts.mates.iter().any(|m| m.id == mate && m.has_notes);
+        let bare: Vec<_> = mobility
+            .redundant
+            .iter()
+            .filter(|r| !noted(&r.mate))
+            .collect();
+        let (held, told) = if bare.is_empty() {
+            (true, mobility.redundant.iter().collect())
+        } else {
+            (false, bare)
+        };
+        let names: Vec<&str> = told.iter().map(|r| r.mate.as_str()).collect();
+        let message = if held {
+            format!(
+                "freedoms are taken again at {}, with notes",
+                names.join(", ")
+            )
+        } else {
+            format!(
+                "freedoms are taken again at {}, without a note that gives the reason",
+                names.join(", ")
+            )
+        };
+        let count = told
+            .iter()
+            .fold(0_u32, |sum, r| sum.saturating_add(r.count));
+        let about = About {
+            parts: Vec::new(),
+            mates: told.iter().map(|r| r.mate.clone()).collect(),
+        };
+        vec![Verdict::held(self.axiom(), held, about, message).value("redundant", f64::from(count))]
     }
 }
