@@ -3,6 +3,7 @@
 use assemcad_kernel::protocol::{Built, Failure, FailureKind, Job, Reply};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::frame::Placement;
+use assemcad_model::recipe::Recipe;
 use assemcad_model::report::rounded;
 
 use crate::Workshop;
@@ -15,13 +16,23 @@ impl Workshop {
     /// # Errors
     /// Why there is no such solid, with the operation and its line in the factory's source.
     pub async fn build(&self, part: &ResolvedPart) -> Result<Built, Diagnostic> {
+        self.solid(&part.made.recipe, |failure| part_failure(failure, part))
+            .await
+    }
+
+    /// Makes the solid of a recipe; `failed` tells whose it was when the kernel fails.
+    pub(crate) async fn solid(
+        &self,
+        recipe: &Recipe,
+        failed: impl FnOnce(&Failure) -> Diagnostic,
+    ) -> Result<Built, Diagnostic> {
         let job = Job::Build {
-            recipe: part.made.recipe.clone(),
+            recipe: recipe.clone(),
         };
         match self.pool.run(&job).await {
             Ok((Reply::Built(built), _)) => Ok(built),
             Ok(_) => Err(unexpected(&job)),
-            Err(failure) => Err(part_failure(&failure, part)),
+            Err(failure) => Err(failed(&failure)),
         }
     }
 }

@@ -6,12 +6,11 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use assemcad_kernel::protocol::{Job, Reply};
 use assemcad_model::ports::Port;
 use assemcad_model::recipe::Recipe;
 use serde_json::{Map, Value};
 
-use crate::build::{failed_in, unexpected};
+use crate::build::failed_in;
 use crate::{Faults, Workshop};
 
 /// So many made parts are remembered.
@@ -73,16 +72,12 @@ impl Workshop {
                 return Ok(known);
             }
         }
-        let job = Job::Build {
-            recipe: evaluated.recipe.clone(),
-        };
-        let built = match self.pool.run(&job).await {
-            Ok((Reply::Built(built), _)) => built,
-            Ok(_) => return Err(vec![unexpected(&job)]),
-            Err(failure) => {
-                return Err(vec![failed_in(&failure, part, name, &evaluated.lines)]);
-            }
-        };
+        let built = self
+            .solid(&evaluated.recipe, |failure| {
+                failed_in(failure, part, name, &evaluated.lines)
+            })
+            .await
+            .map_err(|d| vec![d])?;
         let made = Arc::new(Made {
             recipe: evaluated.recipe.clone(),
             lines: evaluated.lines.clone(),

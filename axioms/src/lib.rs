@@ -16,6 +16,7 @@ mod geometry;
 mod hinges;
 mod joints;
 pub mod knowledge;
+mod left;
 pub mod load;
 mod measured;
 pub mod query;

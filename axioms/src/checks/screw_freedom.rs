@@ -3,7 +3,8 @@
 use super::Check;
 use crate::facts::Facts;
 use crate::joints::about;
-use crate::verdict::{Status, Verdict};
+use crate::left::at_each;
+use crate::verdict::Verdict;
 
 /// A thread that is left free has one screw motion in the whole assembly.
 pub struct ScrewFreedom;
@@ -18,32 +19,19 @@ impl Check for ScrewFreedom {
     }
 
     fn run(&self, facts: &Facts) -> Vec<Verdict> {
-        let mut out = Vec::new();
-        for m in facts.mates.iter().filter(|m| m.flag("free")) {
-            let motion = facts
-                .mobility
-                .as_ref()
-                .and_then(|all| all.joints.iter().find(|j| j.mate == m.id));
-            let Some(j) = motion else {
-                let message = format!("the motion at '{}' was not analysed", m.id);
-                out.push(Verdict::new(
-                    self.axiom(),
-                    Status::Indeterminate,
-                    about(m),
-                    message,
-                ));
-                continue;
-            };
-            let holds = (j.turns, j.slides, j.screws) == (0, 0, 1);
-            let message = format!(
-                "the drive '{}' is left {} screw motions, {} turns and {} slides; one screw motion is meant",
-                m.id, j.screws, j.turns, j.slides
-            );
-            out.push(
+        at_each(
+            facts,
+            self.axiom(),
+            |m| m.flag("free"),
+            |m, j| {
+                let holds = (j.turns, j.slides, j.screws) == (0, 0, 1);
+                let message = format!(
+                    "the drive '{}' is left {} screw motions, {} turns and {} slides; one screw motion is meant",
+                    m.id, j.screws, j.turns, j.slides
+                );
                 Verdict::held(self.axiom(), holds, about(m), message)
-                    .value("screws", f64::from(j.screws)),
-            );
-        }
-        out
+                    .value("screws", f64::from(j.screws))
+            },
+        )
     }
 }

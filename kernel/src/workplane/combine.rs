@@ -43,12 +43,7 @@ fn cleaned(shape: Shape, clean: bool) -> Result<Shape> {
 }
 
 /// The next link: the made shapes joined to the chain's solid as the mode says.
-pub(super) fn combined(
-    node: &Rc<Node>,
-    made: Vec<Shape>,
-    mode: Mode,
-    clean: bool,
-) -> Result<Rc<Node>> {
+fn combined(node: &Rc<Node>, made: Vec<Shape>, mode: Mode, clean: bool) -> Result<Rc<Node>> {
     if mode == Mode::Apart {
         let objects = made
             .into_iter()
@@ -66,6 +61,12 @@ pub(super) fn combined(
         (None, _) => tool,
     };
     Ok(node.next_shape(cleaned(result, clean)?))
+}
+
+/// The same, as the call's own `combine` and `clean` say.
+pub(super) fn joined(args: &Args<'_>, node: &Rc<Node>, made: Vec<Shape>) -> Result<Value> {
+    let (mode, clean) = (Mode::of(args)?, args.flag("clean")?);
+    Ok(Value::Node(combined(node, made, mode, clean)?))
 }
 
 /// Tolerances in mm with which a boolean is tried again when its result cannot be right: the kernel
@@ -125,7 +126,7 @@ fn shared(base: &Shape, others: &[Shape], tolerance: Option<f64>) -> Result<Shap
     if result.parts(Topology::Solid)?.is_empty() {
         return Err(KernelError::refused(format!(
             "the solids have no volume in common{}",
-            apart(base, others)?
+            apart(base, others)?.0
         )));
     }
     Ok(result)
@@ -143,15 +144,16 @@ fn judged(kind: Kind, base: &Shape, others: &[Shape], result: Shape) -> Result<S
     Ok(result)
 }
 
-/// A clause with both boxes and the gap.
-fn apart(base: &Shape, others: &[Shape]) -> Result<String> {
+/// A clause with both boxes and the gap, and the gap itself in mm.
+fn apart(base: &Shape, others: &[Shape]) -> Result<(String, f64)> {
     let other = Shape::compound(&all(others))?;
     let (gap, _, _) = base.distance_to(&other)?;
-    Ok(format!(
+    let clause = format!(
         "; the first spans {} mm, the second {} mm, and the gap between them is {gap:.6} mm",
         base.extent()?,
         other.extent()?
-    ))
+    );
+    Ok((clause, gap))
 }
 
 /// One solid of several: they overlap, or share a face, or a gap of at most [`CLOSES`] mm between
@@ -180,7 +182,10 @@ pub(super) fn safe_union(
     }
     // Small gaps: filled.
     if let Some(bridges) = bridges(&plain)? {
-        let mut with = others.to_vec_of_handles()?;
+        let mut with = others
+            .iter()
+            .map(Shape::try_clone)
+            .collect::<Result<Vec<Shape>>>()?;
         with.extend(bridges);
         let joined = fused(base, &with, false, tolerance)?;
         if count(&joined)? == 1 {
@@ -191,12 +196,11 @@ pub(super) fn safe_union(
     let Some((first, rest)) = solids.split_first() else {
         return Err(KernelError::refused("the union holds no solid"));
     };
+    let (clause, gap) = apart(first, rest)?;
     let mut text = format!(
-        "the solids do not join: the union would be {} separate solids{}",
-        solids.len(),
-        apart(first, rest)?
+        "the solids do not join: the union would be {} separate solids{clause}",
+        solids.len()
     );
-    let (gap, _, _) = first.distance_to(&Shape::compound(&all(rest))?)?;
     text.push_str(if gap < 1e-9 {
         "; they touch only along an edge or in a point: let them overlap"
     } else {
@@ -204,16 +208,6 @@ pub(super) fn safe_union(
          what joins them first"
     });
     Err(KernelError::refused(text))
-}
-
-trait Handles {
-    fn to_vec_of_handles(&self) -> Result<Vec<Shape>>;
-}
-
-impl Handles for [Shape] {
-    fn to_vec_of_handles(&self) -> Result<Vec<Shape>> {
-        self.iter().map(Shape::try_clone).collect()
-    }
 }
 
 /// What fills the gaps between solids that are small enough; none where there is no such gap.

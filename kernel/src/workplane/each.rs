@@ -6,7 +6,7 @@ use assemcad_model::angle::sin_cos_deg;
 use assemcad_model::frame::{Frame, Placement};
 
 use super::args::{Args, vector};
-use super::combine::{Mode, combined};
+use super::combine::joined;
 use super::value::{Node, Object, Value, Vector};
 use crate::brep::Topology;
 use crate::error::{KernelError, Result};
@@ -31,6 +31,22 @@ pub(super) fn places(node: &Node) -> Result<Vec<Placement>> {
             let local = node.to_local(world);
             Ok(Placement::translation(local.x, local.y, local.z))
         })
+        .collect()
+}
+
+/// The same in the world.
+pub(super) fn world_places(node: &Node) -> Result<Vec<Placement>> {
+    let local = places(node)?;
+    Ok(local.into_iter().map(|place| node.plane * place).collect())
+}
+
+/// A solid at each place.
+pub(super) fn copies(node: &Node, solid: &Shape) -> Result<Vec<Shape>> {
+    world_places(node)?
+        .iter()
+        // Written anew: where a boolean meets a solid that has a location, its edges are there in two
+        // spellings afterwards, and the boundary no longer hangs together once locations are taken off.
+        .map(|at| solid.moved(at)?.baked())
         .collect()
 }
 
@@ -141,19 +157,8 @@ pub(super) fn polar_array(args: &Args<'_>) -> Result<Value> {
 /// One solid made at each place.
 fn solids(args: &Args<'_>, solid: &Shape) -> Result<Value> {
     let node = args.on()?;
-    let mut made = Vec::new();
-    for place in places(&node)? {
-        // Written anew: where a boolean meets a solid that has a location, its edges are there in two
-        // spellings afterwards, and the boundary no longer hangs together once locations are taken off.
-        made.push(solid.moved(&(node.plane * place))?.baked()?);
-    }
-    let mode = Mode::of(args)?;
-    Ok(Value::Node(combined(
-        &node,
-        made,
-        mode,
-        args.flag("clean")?,
-    )?))
+    let made = copies(&node, solid)?;
+    joined(args, &node, made)
 }
 
 /// `box(length, width, height, centered)`.
@@ -332,11 +337,5 @@ fn finish(args: &Args<'_>, node: &Rc<Node>, made: Vec<Shape>) -> Result<Value> {
                 .push(Rc::new(shape.try_clone()?));
         }
     }
-    let mode = Mode::of(args)?;
-    Ok(Value::Node(combined(
-        node,
-        made,
-        mode,
-        args.flag("clean")?,
-    )?))
+    joined(args, node, made)
 }

@@ -8,7 +8,7 @@ use assemcad_model::ports::{Port, PortType};
 
 use super::args::Args;
 use super::combine::cut;
-use super::each::places;
+use super::each::world_places;
 use super::ports::{numbered, params, pattern_center, port, with};
 use super::solid::{countersink, drill, through};
 use super::value::{Node, Value};
@@ -59,10 +59,7 @@ struct Drilled {
 impl Drilled {
     fn of(args: &Args<'_>) -> Result<Self> {
         let node = args.on()?;
-        let at = places(&node)?
-            .into_iter()
-            .map(|place| node.plane * place)
-            .collect();
+        let at = world_places(&node)?;
         let (depth, through) = match args.real_or_none("depth")? {
             Some(_) => (args.length("depth")?, false),
             None => (through(&node)?, true),
@@ -174,14 +171,14 @@ impl Drilled {
     }
 
     /// Cuts, and makes a port for each hole of a diameter, which is wider down to `wide`: `make` is told
-    /// name, place of the mouth and depth.
+    /// name, place of the mouth and depth, and so is `make_back` for the far mouth.
     fn with_ports(
         &self,
         args: &Args<'_>,
         tool: &Shape,
         (diameter, wide): (f64, f64),
-        back_type: PortType,
         make: impl Fn(&str, &Placement, f64) -> Result<Port>,
+        make_back: impl Fn(&str, &Placement, f64) -> Result<Port>,
     ) -> Result<Value> {
         let (cut, bores) = self.cut(tool, diameter)?;
         let base = args.text("name")?;
@@ -190,12 +187,20 @@ impl Drilled {
             let at = self.place(index)?;
             let name = numbered(base, bores.len(), index);
             ports.push(make(&name, &at, first.end)?);
-            ports.extend(self.back(args, index, last, wide, |name, at, depth| {
-                let found = params([("diameter", diameter), ("depth", depth)]);
-                port(name, back_type, at, found)
-            })?);
+            ports.extend(self.back(args, index, last, wide, &make_back)?);
         }
         self.finish(args, cut, ports)
+    }
+}
+
+/// What makes the port of a plain hole.
+fn plain(
+    port_type: PortType,
+    diameter: f64,
+) -> impl Fn(&str, &Placement, f64) -> Result<Port> + Copy {
+    move |name, at, depth| {
+        let found = params([("diameter", diameter), ("depth", depth)]);
+        port(name, port_type, at, found)
     }
 }
 
@@ -204,16 +209,8 @@ pub(super) fn bore(args: &Args<'_>) -> Result<Value> {
     let drilled = Drilled::of(args)?;
     let diameter = args.length("diameter")?;
     let tool = drill(diameter, drilled.depth)?;
-    drilled.with_ports(
-        args,
-        &tool,
-        (diameter, 0.0),
-        PortType::Bore,
-        |name, at, depth| {
-            let found = params([("diameter", diameter), ("depth", depth)]);
-            port(name, PortType::Bore, at, found)
-        },
-    )
+    let make = plain(PortType::Bore, diameter);
+    drilled.with_ports(args, &tool, (diameter, 0.0), make, make)
 }
 
 /// `hole_with_port(name, diameter, depth, bolt_diameter, back, center)`.
@@ -222,6 +219,7 @@ pub(super) fn hole(args: &Args<'_>) -> Result<Value> {
     let diameter = args.length("diameter")?;
     let bolt = args.real_or_none("bolt_diameter")?;
     let tool = drill(diameter, drilled.depth)?;
+    let hole = plain(PortType::Hole, diameter);
     let make = |name: &str, at: &Placement, depth: f64| match bolt {
         Some(bolt) => port(
             name,
@@ -233,14 +231,9 @@ pub(super) fn hole(args: &Args<'_>) -> Result<Value> {
                 ("bolt_diameter", bolt),
             ]),
         ),
-        None => port(
-            name,
-            PortType::Hole,
-            at,
-            params([("diameter", diameter), ("depth", depth)]),
-        ),
+        None => hole(name, at, depth),
     };
-    drilled.with_ports(args, &tool, (diameter, 0.0), PortType::Hole, make)
+    drilled.with_ports(args, &tool, (diameter, 0.0), make, hole)
 }
 
 /// `cbore_hole_with_port(name, diameter, cboreDiameter, cboreDepth, depth, back, center)`.
@@ -253,7 +246,6 @@ pub(super) fn cbore(args: &Args<'_>) -> Result<Value> {
         args,
         &tool,
         (narrow, floor),
-        PortType::Hole,
         |name, at, depth| {
             let at = *at * Placement::translation(0.0, 0.0, -floor);
             let found = params([
@@ -264,6 +256,7 @@ pub(super) fn cbore(args: &Args<'_>) -> Result<Value> {
             ]);
             port(name, PortType::CboreSeat, &at, found)
         },
+        plain(PortType::Hole, narrow),
     )
 }
 
@@ -280,16 +273,16 @@ pub(super) fn csk(args: &Args<'_>) -> Result<Value> {
         )));
     }
     let tool = drill(narrow, drilled.depth)?.fused(&[&cone], false, None)?;
+    let hole = plain(PortType::Hole, narrow);
     drilled.with_ports(
         args,
         &tool,
         (narrow, below),
-        PortType::Hole,
         |name, at, depth| {
             let at = *at * Placement::translation(0.0, 0.0, -below);
-            let found = params([("diameter", narrow), ("depth", depth - below)]);
-            port(name, PortType::Hole, &at, found)
+            hole(name, &at, depth - below)
         },
+        hole,
     )
 }
 
@@ -317,13 +310,5 @@ pub(super) fn tapped(args: &Args<'_>) -> Result<Value> {
         ]);
         port(name, PortType::ThreadInternal, at, found)
     };
-    let (cut, bores) = drilled.cut(&tool, modelled)?;
-    let base = args.text("name")?;
-    let mut ports = Vec::new();
-    for (index, (first, last)) in bores.iter().enumerate() {
-        let at = drilled.place(index)?;
-        ports.push(make(&numbered(base, bores.len(), index), &at, first.end)?);
-        ports.extend(drilled.back(args, index, last, 0.0, make)?);
-    }
-    drilled.finish(args, cut, ports)
+    drilled.with_ports(args, &tool, (modelled, 0.0), make, make)
 }

@@ -22,7 +22,7 @@ mod value;
 use std::collections::BTreeSet;
 
 use assemcad_model::ports::Port;
-use assemcad_model::recipe::{Call, Recipe, reference};
+use assemcad_model::recipe::{Call, Recipe, Ref, reference};
 
 use self::args::Args;
 use self::chain::Index;
@@ -139,15 +139,16 @@ impl Run<'_> {
         }
         match call.call.as_str() {
             "eachLocation" | "eachObject" => return Ok(Value::Later),
-            "Workplane.eachpoint" if !self.is_later(call, Some("arg")) => {
+            // What the function gave and what stands for its argument may be known later only.
+            "Workplane.eachpoint" if !call.on.is_some_and(|on| self.is_later(on)) => {
                 return self.each(step, call, false);
             }
-            "Workplane.each" if !self.is_later(call, Some("callback")) => {
+            "Workplane.each" if !call.on.is_some_and(|on| self.is_later(on)) => {
                 return self.each(step, call, true);
             }
             _ => {}
         }
-        if self.is_later(call, None) {
+        if call.inputs().into_iter().any(|input| self.is_later(input)) {
             return Ok(Value::Later);
         }
         perform(&Args {
@@ -156,17 +157,10 @@ impl Run<'_> {
         })
     }
 
-    /// Whether something that the call uses is known only when a function is applied. What the
-    /// function gave (`except`) and what stands for its argument do not count.
-    fn is_later(&self, call: &Call, except: Option<&str>) -> bool {
-        let later = |at: u32| {
-            let value = usize::try_from(at).ok().and_then(|at| self.values.get(at));
-            matches!(value, Some(Value::Later))
-        };
-        match except {
-            Some(_) => call.on.is_some_and(later),
-            None => call.inputs().into_iter().any(later),
-        }
+    /// Whether what a call gives is known only when a function is applied.
+    fn is_later(&self, at: Ref) -> bool {
+        let value = usize::try_from(at).ok().and_then(|at| self.values.get(at));
+        matches!(value, Some(Value::Later))
     }
 
     /// `each` and `eachpoint`: the calls of a function are carried out once for each object or place.

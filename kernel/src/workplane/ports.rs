@@ -15,7 +15,7 @@ use assemcad_model::ports::{self, Port, PortType};
 use super::args::Args;
 use super::combine::safe_union;
 use super::draw::outline_wire;
-use super::each::places;
+use super::each::{copies, world_places};
 use super::face::{Extents, face_at, measure};
 use super::transform::tidy;
 use super::value::{Node, Value};
@@ -120,25 +120,14 @@ fn flat(name: &str, at: &Placement, extents: Extents) -> Result<Port> {
 }
 
 /// What is made at each place, joined to the chain's solid where there is one.
-fn grown(
-    args: &Args<'_>,
-    made: &Shape,
-    ports: Vec<(String, Placement, PortType, Params)>,
-) -> Result<Value> {
+fn grown(args: &Args<'_>, made: &Shape, ports: Vec<Port>) -> Result<Value> {
     let node = args.on()?;
-    let mut tools = Vec::new();
-    for place in places(&node)? {
-        tools.push(made.moved(&(node.plane * place))?.baked()?);
-    }
+    let mut tools = copies(&node, made)?;
     let joined = match node.find_solid()? {
         Some(base) => safe_union(&base, &tools, false, None)?.cleaned()?,
         None if tools.len() == 1 => tools.remove(0),
         None => Shape::compound(&tools.iter().collect::<Vec<&Shape>>())?,
     };
-    let ports = ports
-        .into_iter()
-        .map(|(name, at, port_type, found)| port(&name, port_type, &at, found))
-        .collect::<Result<Vec<Port>>>()?;
     with(&node.next_shape(joined), ports)
 }
 
@@ -148,22 +137,17 @@ fn at_places(
     shift: &Placement,
     port_type: PortType,
     found: &Params,
-) -> Result<Vec<(String, Placement, PortType, Params)>> {
-    let node = args.on()?;
-    let places = places(&node)?;
+) -> Result<Vec<Port>> {
+    let places = world_places(&*args.on()?)?;
     let base = args.text("name")?;
-    Ok(places
+    places
         .iter()
         .enumerate()
         .map(|(index, place)| {
-            (
-                numbered(base, places.len(), index),
-                node.plane * *place * *shift,
-                port_type,
-                found.clone(),
-            )
+            let name = numbered(base, places.len(), index);
+            port(&name, port_type, &(*place * *shift), found.clone())
         })
-        .collect())
+        .collect()
 }
 
 /// `shaft_port(name, diameter, length, center)`.
@@ -179,11 +163,7 @@ pub(super) fn shaft(args: &Args<'_>) -> Result<Value> {
     let Some(center) = args.text_or_none("center")? else {
         return Ok(Value::Node(next));
     };
-    let node = args.on()?;
-    let at: Vec<Placement> = places(&node)?
-        .into_iter()
-        .map(|place| node.plane * place)
-        .collect();
+    let at = world_places(&*args.on()?)?;
     let middle = pattern_center(&next, center, &at)?;
     with(&next, vec![middle])
 }
@@ -312,10 +292,7 @@ pub(super) fn plain(args: &Args<'_>) -> Result<Value> {
         let one = port(args.text("name")?, kind.port_type, &at, found)?;
         return with(&node, vec![one]);
     }
-    let ports = at_places(args, &Placement::IDENTITY, kind.port_type, &found)?
-        .into_iter()
-        .map(|(name, at, port_type, found)| port(&name, port_type, &at, found))
-        .collect::<Result<Vec<Port>>>()?;
+    let ports = at_places(args, &Placement::IDENTITY, kind.port_type, &found)?;
     with(&node, ports)
 }
 

@@ -139,9 +139,8 @@ pub(super) fn unknown(call: &str) -> KernelError {
 pub(super) fn method(args: &Args<'_>, short: &str) -> Result<Value> {
     let object = args.on_object()?;
     let moved = match short {
-        "moved" => moved_object(&object, &args.place("loc")?)?,
         // A shape has no place of its own here: what was made is where it was made.
-        "located" => moved_object(&object, &args.place("loc")?)?,
+        "moved" | "located" => moved_object(&object, &args.place("loc")?)?,
         "translate" => moved_object(&object, &translation(args.vector("vector")?))?,
         "rotate" => moved_object(
             &object,

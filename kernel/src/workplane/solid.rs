@@ -5,8 +5,9 @@ use std::rc::Rc;
 use assemcad_model::frame::Placement;
 
 use super::args::Args;
-use super::combine::{Mode, combined, cut};
+use super::combine::{Mode, cut, joined};
 use super::draw::wired;
+use super::each::copies;
 use super::value::{Node, Value, Vector};
 use crate::brep::{Side, Sweep, Topology, Transition};
 use crate::error::{KernelError, Result};
@@ -189,7 +190,7 @@ pub(super) fn extrude(args: &Args<'_>) -> Result<Value> {
         (Until::Length(length), Mode::Cut) => cut_by(args, &node, length, clean),
         (Until::Length(length), _) => {
             let made = prisms(args, &node, length)?;
-            Ok(Value::Node(combined(&node, made, mode, clean)?))
+            joined(args, &node, made)
         }
         (_, Mode::Apart) => Err(KernelError::refused(
             "what is extruded up to a face is one with the solid: combine cannot be False",
@@ -197,7 +198,7 @@ pub(super) fn extrude(args: &Args<'_>) -> Result<Value> {
         (face, Mode::Cut) => finish(&node, up_to(args, &node, &face, false)?, clean),
         (face, Mode::Add) => {
             let made = up_to(args, &node, &face, true)?;
-            Ok(Value::Node(combined(&node, vec![made], mode, clean)?))
+            joined(args, &node, vec![made])
         }
     }
 }
@@ -241,12 +242,7 @@ pub(super) fn twist(args: &Args<'_>) -> Result<Value> {
     for face in faces(&node)? {
         made.push(face.twisted(node.origin().into(), way.into(), args.real("angleDegrees")?)?);
     }
-    Ok(Value::Node(combined(
-        &node,
-        made,
-        Mode::of(args)?,
-        args.flag("clean")?,
-    )?))
+    joined(args, &node, made)
 }
 
 /// `revolve(angleDegrees, axisStart, axisEnd)`.
@@ -274,12 +270,7 @@ pub(super) fn revolve(args: &Args<'_>) -> Result<Value> {
     for face in faces(&node)? {
         made.push(face.turned(start.into(), end.into(), angle)?);
     }
-    Ok(Value::Node(combined(
-        &node,
-        made,
-        Mode::of(args)?,
-        args.flag("clean")?,
-    )?))
+    joined(args, &node, made)
 }
 
 fn curve(args: &Args<'_>, name: &str) -> Result<Rc<Shape>> {
@@ -341,12 +332,7 @@ pub(super) fn sweep(args: &Args<'_>) -> Result<Value> {
         .into_iter()
         .map(|made| sound(made, "the sweep"))
         .collect::<Result<Vec<Shape>>>()?;
-    Ok(Value::Node(combined(
-        &node,
-        made,
-        Mode::of(args)?,
-        args.flag("clean")?,
-    )?))
+    joined(args, &node, made)
 }
 
 /// `loft(ruled)`: through the drawn wires, or the faces and vertices of the stack.
@@ -370,22 +356,14 @@ pub(super) fn loft(args: &Args<'_>) -> Result<Value> {
     }
     let all: Vec<&Shape> = sections.iter().map(Rc::as_ref).collect();
     let made = sound(Shape::lofted(&all, args.flag("ruled")?, true)?, "the loft")?;
-    Ok(Value::Node(combined(
-        &node,
-        vec![made],
-        Mode::of(args)?,
-        args.flag("clean")?,
-    )?))
+    joined(args, &node, vec![made])
 }
 
 /// Cuts the same tool at each point of the stack.
 fn drilled(args: &Args<'_>, tool: &Shape) -> Result<Value> {
     let node = args.on()?;
     let solid = node.solid()?;
-    let mut tools = Vec::new();
-    for place in super::each::places(&node)? {
-        tools.push(tool.moved(&(node.plane * place))?.baked()?);
-    }
+    let tools = copies(&node, tool)?;
     finish(&node, cut(&solid, &tools, None)?, args.flag("clean")?)
 }
 

@@ -162,7 +162,7 @@ impl Node {
         self.objects.iter().filter_map(Object::as_shape)
     }
 
-    /// The objects with their places in the world.
+    /// The solids on the stack, those of compounds one by one.
     pub(super) fn solids_on_stack(&self) -> Result<Vec<Shape>> {
         let mut found = Vec::new();
         for shape in self.shapes() {
@@ -181,21 +181,14 @@ impl Node {
     }
 
     pub(super) fn search(&self, stack: bool, parents: bool) -> Result<Option<Shape>> {
-        if stack {
-            let found = self.solids_on_stack()?;
-            if !found.is_empty() {
-                let all: Vec<&Shape> = found.iter().collect();
-                return Ok(Some(Shape::compound(&all)?));
-            }
-        }
-        let mut link = self.parent.as_ref().filter(|_| parents);
-        while let Some(node) = link {
+        let before = self.parent.as_deref().filter(|_| parents);
+        let chain = core::iter::successors(before, |node| node.parent.as_deref());
+        for node in Some(self).filter(|_| stack).into_iter().chain(chain) {
             let found = node.solids_on_stack()?;
             if !found.is_empty() {
                 let all: Vec<&Shape> = found.iter().collect();
                 return Ok(Some(Shape::compound(&all)?));
             }
-            link = node.parent.as_ref();
         }
         Ok(None)
     }
