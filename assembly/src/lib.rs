@@ -16,8 +16,10 @@ pub mod place;
 mod ports_check;
 pub mod realize;
 pub mod resolve;
+mod rounds;
 pub mod state;
 pub mod store;
+pub mod synthesis;
 pub mod verify;
 
 use std::path::Path;
@@ -45,6 +47,8 @@ pub struct Workshop {
     pub(crate) kept: made::Kept,
     /// How often a draft may be wrong before its decomposition counts as failed.
     pub draft_rounds: usize,
+    /// How many sources a request for a factory may have before its synthesis counts as failed.
+    pub synthesis_rounds: usize,
 }
 
 impl Workshop {
@@ -59,6 +63,7 @@ impl Workshop {
             store: Store::open(root)?,
             kept: made::Kept::default(),
             draft_rounds: draft::DEFAULT_ROUNDS,
+            synthesis_rounds: synthesis::DEFAULT_ROUNDS,
         })
     }
 }

@@ -108,6 +108,12 @@ impl Factory {
         })
     }
 
+    /// The same factory with other ranges of its parameters.
+    #[must_use]
+    pub fn within(self, params: Vec<ParamSpec>) -> Self {
+        Self { params, ..self }
+    }
+
     /// The factory's name.
     #[must_use]
     pub fn name(&self) -> &str {

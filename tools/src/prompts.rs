@@ -98,7 +98,7 @@ impl Prompt {
 async fn factories(workshop: &Workshop) -> String {
     let mut out = String::new();
     let mut family = "";
-    for factory in workshop.registry.iter() {
+    for factory in &workshop.registry.all() {
         let name = factory.name();
         let space = name.split_once('.').map_or(name, |(space, _)| space);
         if space != family {
