@@ -7,6 +7,7 @@
 //! A source is text of a stranger. Every limit in [`Limits`] that it exceeds, and every fault that it
 //! holds, comes back as a [`assemcad_model::diagnostic::Diagnostic`] that names the line.
 
+mod expression;
 mod factory;
 mod fault;
 mod hints;
@@ -22,6 +23,7 @@ mod scan;
 mod thread;
 mod values;
 
+pub use expression::expressions;
 pub use factory::{Evaluated, Factory, script, script_within};
 pub use limits::Limits;
 pub use reference::reference;
