@@ -30,6 +30,9 @@ enum Action {
     /// Runs the geometry kernel for a server. Started by the server; not for people.
     #[command(hide = true)]
     Worker(Worker),
+    /// Evaluates factories' sources for a server. Started by the server; not for people.
+    #[command(hide = true)]
+    ScriptWorker(ScriptWorker),
 }
 
 #[derive(Debug, Args)]
@@ -67,6 +70,14 @@ struct Worker {
     cache: Option<PathBuf>,
 }
 
+#[derive(Debug, Args)]
+struct ScriptWorker {
+    #[arg(long)]
+    memory_mb: u64,
+    #[arg(long)]
+    cpu_s: u64,
+}
+
 fn main() -> ExitCode {
     let filter = tracing_subscriber::EnvFilter::try_from_env("ASSEMCAD_LOG")
         .unwrap_or_else(|_| tracing_subscriber::EnvFilter::new("warn"));
@@ -83,6 +94,14 @@ fn main() -> ExitCode {
                 cache: options.cache,
             };
             worker::run(settings).map_err(|e| e.to_string())
+        }
+        Action::ScriptWorker(options) => {
+            let limits = Limits {
+                memory_mb: options.memory_mb,
+                cpu_s: options.cpu_s,
+                ..assemcad_script::worker::LIMITS
+            };
+            assemcad_script::worker::run(limits).map_err(|e| e.to_string())
         }
     };
     match done {

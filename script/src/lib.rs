@@ -22,8 +22,10 @@ mod run;
 mod scan;
 mod thread;
 mod values;
+pub mod worker;
 
 pub use expression::expressions;
 pub use factory::{Evaluated, Factory, script, script_within};
 pub use limits::Limits;
 pub use reference::reference;
+pub use worker::Evaluator;

@@ -93,6 +93,12 @@ impl<W: Work> Pool<W> {
         self.config.workers.max(1)
     }
 
+    /// What one request may use.
+    #[must_use]
+    pub fn limits(&self) -> Limits {
+        self.config.limits
+    }
+
     /// Has a job done by some worker.
     ///
     /// # Errors
