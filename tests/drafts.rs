@@ -175,12 +175,7 @@ fn the_prompt_tells_what_a_draft_needs() {
     let ports = assemcad_model::ports::ALL
         .iter()
         .map(|k| format!("`{}`", k.name));
-    for word in names
-        .into_iter()
-        .map(str::to_owned)
-        .chain(mates)
-        .chain(ports)
-    {
+    for word in names.into_iter().chain(mates).chain(ports) {
         assert!(text.contains(&word), "{word}");
     }
 

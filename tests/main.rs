@@ -18,4 +18,5 @@ mod ports;
 mod realize;
 mod refusals;
 mod sessions;
+mod synthesis;
 mod verification;

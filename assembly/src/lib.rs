@@ -27,6 +27,7 @@ use std::path::Path;
 use assemcad_factories::Registry;
 use assemcad_kernel::pool::Pool;
 use assemcad_model::diagnostic::Diagnostic;
+use assemcad_script::Evaluator;
 
 pub use crate::made::Made;
 use crate::store::Store;
@@ -41,6 +42,8 @@ pub struct Workshop {
     pub registry: Registry,
     /// The kernel's workers.
     pub pool: Pool,
+    /// Who evaluates the sources that are not ours.
+    pub evaluator: Evaluator,
     /// The assemblies on disk.
     pub store: Store,
     /// What was made already.
@@ -56,10 +59,16 @@ impl Workshop {
     ///
     /// # Errors
     /// When the folder cannot be made or opened.
-    pub fn open(root: &Path, registry: Registry, pool: Pool) -> Result<Self, Diagnostic> {
+    pub fn open(
+        root: &Path,
+        registry: Registry,
+        pool: Pool,
+        evaluator: Evaluator,
+    ) -> Result<Self, Diagnostic> {
         Ok(Self {
             registry,
             pool,
+            evaluator,
             store: Store::open(root)?,
             kept: made::Kept::default(),
             draft_rounds: draft::DEFAULT_ROUNDS,

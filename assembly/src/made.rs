@@ -64,7 +64,10 @@ impl Workshop {
         part: Option<&str>,
     ) -> Result<Arc<Made>, Faults> {
         self.recheck(factory).await?;
-        let evaluated = self.registry.build(factory, params).await?;
+        let evaluated = self
+            .registry
+            .build(&self.evaluator, factory, params)
+            .await?;
         let named = self.registry.get(factory).map_err(|d| vec![*d])?;
         let hash = evaluated.recipe.hash().ok();
         if let Some(known) = hash.as_deref().and_then(|hash| self.kept.get(hash)) {

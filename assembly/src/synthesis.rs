@@ -6,10 +6,10 @@
 
 use std::sync::Arc;
 
+use assemcad_factories::Admitted;
 use assemcad_factories::admission::{
     Admission, Gate, NAMESPACE, Record, Report, Request, file_name, is_valid_user_name,
 };
-use assemcad_factories::{Admitted, Factory};
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name;
@@ -92,7 +92,7 @@ impl Workshop {
         if before.len() >= self.synthesis_rounds && !again {
             return Err(vec![failed(&asked.name, &before)]);
         }
-        let gate = Gate { pool: &self.pool };
+        let gate = self.gate();
         let judged = gate
             .judge(&asked.name, source, &asked.request, asked.narrowed)
             .await;
@@ -126,6 +126,23 @@ impl Workshop {
         }
     }
 
+    fn gate(&self) -> Gate<'_> {
+        Gate {
+            pool: &self.pool,
+            evaluator: &self.evaluator,
+        }
+    }
+
+    /// A record and its source as the registry takes them.
+    async fn parsed(&self, record: Record, source: &str) -> Result<Admitted, Faults> {
+        let factory = self.evaluator.parse(&record.name(), source).await?;
+        Ok(Admitted {
+            factory: Arc::new(record.within(factory)),
+            edited: record.source_sha256 != sha256(source.as_bytes()),
+            record: Arc::new(record),
+        })
+    }
+
     /// The version of this name that has this very source and was admitted for this very request.
     fn same(&self, name: &str, request_sha256: &str, source: &str) -> Option<Admitted> {
         let text = sha256(source.as_bytes());
@@ -155,7 +172,7 @@ impl Workshop {
             evidence: admission.evidence,
         };
         self.write(&record, Some(source))?;
-        let admitted = admitted(record, source)?;
+        let admitted = self.parsed(record, source).await?;
         self.registry.admit(admitted.clone());
         Ok(admitted)
     }
@@ -184,7 +201,7 @@ impl Workshop {
         for file in &files {
             let path = format!("{FOLDER}/{file}");
             if let Some(stem) = file.strip_suffix(".json") {
-                match self.load(&path, stem) {
+                match self.load(&path, stem).await {
                     Ok(admitted) => self.registry.admit(admitted),
                     Err(faults) => found.extend(faults),
                 }
@@ -202,7 +219,7 @@ impl Workshop {
         found
     }
 
-    fn load(&self, path: &str, stem: &str) -> Result<Admitted, Faults> {
+    async fn load(&self, path: &str, stem: &str) -> Result<Admitted, Faults> {
         let damaged = |what: &str| {
             let d = Diagnostic::error(
                 Code::FileDamaged,
@@ -224,7 +241,7 @@ impl Workshop {
             .store
             .read_text(&format!("{FOLDER}/{stem}.star"))
             .map_err(one)?;
-        admitted(record, &source)
+        self.parsed(record, &source).await
     }
 
     /// Looks at a factory again whose source was edited since it was admitted: what passes is admitted
@@ -246,7 +263,7 @@ impl Workshop {
         let Some(now) = edited() else {
             return Ok(());
         };
-        let gate = Gate { pool: &self.pool };
+        let gate = self.gate();
         let (record, source) = (&now.record, now.factory.source());
         let narrowed = !record.ranges.is_empty();
         let judged = gate
@@ -270,19 +287,9 @@ impl Workshop {
             ..Record::clone(record)
         };
         self.write(&record, None)?;
-        self.registry.admit(admitted(record, source)?);
+        self.registry.admit(self.parsed(record, source).await?);
         Ok(())
     }
-}
-
-/// A record and its source as the registry takes them.
-fn admitted(record: Record, source: &str) -> Result<Admitted, Faults> {
-    let factory = Factory::parse(&record.name(), source)?;
-    Ok(Admitted {
-        factory: Arc::new(record.within(factory)),
-        edited: record.source_sha256 != sha256(source.as_bytes()),
-        record: Arc::new(record),
-    })
 }
 
 fn one(d: Diagnostic) -> Faults {

@@ -34,7 +34,7 @@ pub fn diagnostic(failure: &Failure, place: &str) -> Diagnostic {
         .unwrap_or_default();
     let message = format!("{doing}{}", failure.message);
     let (code, hint) = match failure.kind {
-        FailureKind::Kernel => (Code::KernelFailed, None),
+        FailureKind::Refused => (Code::KernelFailed, None),
         FailureKind::Memory => (
             Code::WorkerMemoryLimit,
             Some("make the geometry simpler, or start the server with a larger --worker-memory-mb"),

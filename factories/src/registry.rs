@@ -8,7 +8,7 @@ use assemcad_model::canonical;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name;
 use assemcad_model::param::clip;
-use assemcad_script::{Evaluated, Factory};
+use assemcad_script::{Evaluated, Evaluator, Factory};
 use serde_json::{Map, Value, json};
 
 use crate::admission::{Record, split_version};
@@ -57,7 +57,7 @@ impl Registry {
     /// The built-in factories, read once.
     #[must_use]
     pub fn builtin() -> &'static Self {
-        static BUILTIN: LazyLock<Registry> = LazyLock::new(|| Registry::load(None).0);
+        static BUILTIN: LazyLock<Registry> = LazyLock::new(|| Registry::ours().0);
         &BUILTIN
     }
 
@@ -66,20 +66,33 @@ impl Registry {
     /// What is at fault is reported and left out; the rest is there. A file cannot take the place of a
     /// built-in factory: two sources under one name would make one specification mean two things.
     #[must_use]
-    pub fn load(extra: Option<&Path>) -> (Self, Vec<Diagnostic>) {
-        let mut registry = Self::default();
-        let mut found = Vec::new();
-        for (name, source) in builtin::ALL {
-            registry.add(name, source, &mut found);
-        }
+    pub async fn load(extra: Option<&Path>, others: &Evaluator) -> (Self, Vec<Diagnostic>) {
+        let (mut registry, mut found) = Self::ours();
         if let Some(folder) = extra {
-            registry.add_folder(folder, &mut found);
+            for (name, source) in registry.sources_in(folder, &mut found) {
+                registry.add(&name, others.parse(&name, &source).await, &mut found);
+            }
         }
         (registry, found)
     }
 
-    fn add(&mut self, name: &str, source: &str, found: &mut Vec<Diagnostic>) {
-        match Factory::parse(name, source) {
+    /// The built-in factories.
+    fn ours() -> (Self, Vec<Diagnostic>) {
+        let mut registry = Self::default();
+        let mut found = Vec::new();
+        for (name, source) in builtin::ALL {
+            registry.add(name, Factory::parse(name, source), &mut found);
+        }
+        (registry, found)
+    }
+
+    fn add(
+        &mut self,
+        name: &str,
+        parsed: Result<Factory, Vec<Diagnostic>>,
+        found: &mut Vec<Diagnostic>,
+    ) {
+        match parsed {
             Ok(factory) => {
                 self.factories.insert(name.to_owned(), Arc::new(factory));
             }
@@ -87,7 +100,9 @@ impl Registry {
         }
     }
 
-    fn add_folder(&mut self, folder: &Path, found: &mut Vec<Diagnostic>) {
+    /// The sources of a folder by name.
+    fn sources_in(&self, folder: &Path, found: &mut Vec<Diagnostic>) -> Vec<(String, String)> {
+        let mut sources = Vec::new();
         let entries = match std::fs::read_dir(folder) {
             Ok(entries) => entries,
             Err(e) => {
@@ -99,7 +114,7 @@ impl Registry {
                     )
                     .hint(e.kind().to_string()),
                 );
-                return;
+                return sources;
             }
         };
         // A folder's own order differs between machines.
@@ -129,13 +144,14 @@ impl Registry {
                 ));
             } else {
                 match read(&path) {
-                    Ok(source) => self.add(&name, &source, found),
+                    Ok(source) => sources.push((name, source)),
                     Err(why) => {
                         found.push(Diagnostic::error(Code::FileFailed, place, why));
                     }
                 }
             }
         }
+        sources
     }
 
     /// Whether a factory is one of ours: its defaults are made in a moment, which of others nobody knows.
@@ -281,12 +297,14 @@ impl Registry {
         seen
     }
 
-    /// Evaluates a factory; results are kept, so that the same question costs nothing again.
+    /// Evaluates a factory; results are kept, so that the same question costs nothing again. Sources that
+    /// are not ours are evaluated by `others`.
     ///
     /// # Errors
     /// An unknown factory, or what [`Factory::build`] finds.
     pub async fn build(
         &self,
+        others: &Evaluator,
         name: &str,
         params: &Map<String, Value>,
     ) -> Result<Arc<Evaluated>, Vec<Diagnostic>> {
@@ -301,7 +319,11 @@ impl Registry {
         {
             return Ok(result);
         }
-        let result = Arc::new(factory.build(&checked)?);
+        let result = Arc::new(if Self::is_builtin(factory.name()) {
+            factory.build(&checked)?
+        } else {
+            others.build(&factory, &checked).await?
+        });
         if let Some(key) = key {
             let mut kept = self.kept();
             // Evaluations cost milliseconds: starting anew is cheaper than knowing which were used last.

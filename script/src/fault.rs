@@ -202,9 +202,12 @@ fn syntax(text: &str) -> Fault {
     Fault::new(format!("this line is not Starlark: {text}"))
 }
 
+/// How the fault of an unknown name begins.
+pub(crate) const UNKNOWN_NAME: &str = "there is nothing of the name";
+
 fn unknown_name(text: &str) -> Fault {
     let wanted = text.split('`').nth(1).unwrap_or_default();
-    let fault = Fault::new(format!("there is nothing of the name '{}'", clip(wanted)));
+    let fault = Fault::new(format!("{UNKNOWN_NAME} '{}'", clip(wanted)));
     if let Some(hint) = crate::hints::name_hint(wanted) {
         return fault.hint(hint);
     }

@@ -14,6 +14,11 @@ static LEFT_BEHIND: AtomicUsize = AtomicUsize::new(0);
 /// More than so many are not left behind: each may still hold a processor.
 const MOST_LEFT_BEHIND: usize = 4;
 
+/// Whether an evaluation that was left behind has not ended yet.
+pub(crate) fn is_any_left_behind() -> bool {
+    LEFT_BEHIND.load(Ordering::SeqCst) > 0
+}
+
 /// Runs `work` in a thread of its own and gives what it gives.
 ///
 /// `work` is handed a flag that is raised when nobody waits any longer. A thread cannot be ended from

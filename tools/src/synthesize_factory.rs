@@ -85,10 +85,10 @@ pub(crate) struct Answer {
     /// How many rounds there are before the synthesis counts as failed.
     rounds: usize,
     /// The three layers of a refusal.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     layers: Vec<LayerVerdict>,
     /// What is wrong, each fault once, at the simplest set of parameters that shows it.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     findings: Vec<Finding>,
     /// How many findings are not shown; mend those that are first.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -100,7 +100,7 @@ pub(crate) struct Answer {
     #[serde(skip_serializing_if = "Option::is_none")]
     evidence: Option<Evidence>,
     /// Ranges that are narrower than declared: smallest and largest value.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     narrowed: BTreeMap<String, [f64; 2]>,
     /// What is needed to write the source.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -128,7 +128,7 @@ struct PortWanted {
     /// What a port of the type is, and where its frame sits.
     meaning: String,
     /// What is looked for in the solid, at the defaults.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
     shown_by: Vec<String>,
 }
 
@@ -184,7 +184,7 @@ impl Tool for SynthesizeFactory {
             Synthesis::Known(known) => answer.admitted(Status::Known, &known),
             Synthesis::Admitted(admitted) => answer.admitted(Status::Admitted, &admitted),
             Synthesis::Refused(refusal) => answer.refused(*refusal),
-            Synthesis::Wanted => answer.to_write = Some(ToWrite::of(workshop, &request)),
+            Synthesis::Wanted => answer.to_write = Some(ToWrite::of(workshop, &request).await),
         }
         Ok(answer)
     }
@@ -229,13 +229,16 @@ impl Answer {
 }
 
 impl ToWrite {
-    fn of(workshop: &Workshop, request: &Request) -> Self {
+    async fn of(workshop: &Workshop, request: &Request) -> Self {
         let defaults = request.defaults();
-        let port = |wanted: &ExpectedPort| PortWanted {
-            name: wanted.name.clone(),
-            meaning: wanted.port_type.kind().doc.to_owned(),
-            shown_by: evidence(wanted, &defaults),
-        };
+        let mut ports = Vec::new();
+        for wanted in &request.expected_ports {
+            ports.push(PortWanted {
+                name: wanted.name.clone(),
+                meaning: wanted.port_type.kind().doc.to_owned(),
+                shown_by: evidence(&workshop.evaluator, wanted, &defaults).await,
+            });
+        }
         let all = workshop.registry.all();
         let mut room = MOST_EXAMPLES;
         let mut examples = Vec::new();
@@ -251,7 +254,7 @@ impl ToWrite {
         }
         Self {
             language: assemcad_script::reference(),
-            ports: request.expected_ports.iter().map(port).collect(),
+            ports,
             examples,
             next: "call synthesize_factory again with the same arguments and 'source'".to_owned(),
         }

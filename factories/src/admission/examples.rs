@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use assemcad_model::frame::Frame;
 use assemcad_model::ports::Port;
-use assemcad_script::Factory;
+use assemcad_script::{Evaluator, Factory};
 
 use super::request::{ExpectedPort, Request};
 use super::sets::Set;
@@ -47,11 +47,13 @@ fn words(text: &str) -> BTreeSet<String> {
 
 /// What the solid will have to show for a port, in plain words, each once: at the defaults, where the
 /// request says enough of the port's parameters; else none.
-#[must_use]
-pub fn evidence(wanted: &ExpectedPort, defaults: &Set) -> Vec<String> {
+pub async fn evidence(evaluator: &Evaluator, wanted: &ExpectedPort, defaults: &Set) -> Vec<String> {
     let expressions = wanted.expressions();
     let texts: Vec<String> = expressions.iter().map(|(_, text)| text.clone()).collect();
-    let values = super::expressions(defaults, &texts);
+    let values = evaluator
+        .expressions(defaults, &texts)
+        .await
+        .unwrap_or_default();
     let params = expressions
         .iter()
         .zip(values)

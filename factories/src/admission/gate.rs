@@ -11,7 +11,7 @@ use assemcad_kernel::pool::Pool;
 use assemcad_kernel::protocol::{Built, Failure, FailureKind, Job, Reply};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::param::ParamSpec;
-use assemcad_script::{Evaluated, Factory};
+use assemcad_script::{Evaluated, Evaluator, Factory};
 use futures::stream::{self, StreamExt};
 use serde_json::json;
 
@@ -31,6 +31,8 @@ const LEAST_MADE: f64 = 0.25;
 pub struct Gate<'a> {
     /// The kernel's workers.
     pub pool: &'a Pool,
+    /// Who evaluates sources.
+    pub evaluator: &'a Evaluator,
 }
 
 /// A factory that passed.
@@ -73,7 +75,7 @@ impl Gate<'_> {
     /// # Errors
     /// Everything that is wrong with it.
     async fn parse(&self, name: &str, source: &str) -> Result<Factory, Report> {
-        Factory::parse(name, source).map_err(|faults| {
+        self.evaluator.parse(name, source).await.map_err(|faults| {
             let of = |d| Finding::of(Layer::Execution, d);
             Report::refused(faults.into_iter().map(of).collect())
         })
@@ -168,7 +170,7 @@ impl Gate<'_> {
 
     /// Script and kernel at one set.
     async fn make(&self, factory: &Factory, set: &Set) -> Result<Made, Outcome> {
-        let evaluated = factory.build(set).map_err(|faults| {
+        let evaluated = self.evaluator.build(factory, set).await.map_err(|faults| {
             let own_rule = |d: &Diagnostic| d.code == Code::ParamInvalid && d.place == "params";
             if faults.iter().all(own_rule) {
                 return Outcome::Refused(faults);
@@ -190,7 +192,7 @@ impl Gate<'_> {
         };
         // What the kernel says is about the shape; a limit or a crash is about the running.
         let layer = match failure.kind {
-            FailureKind::Kernel => Layer::Geometry,
+            FailureKind::Refused => Layer::Geometry,
             _ => Layer::Execution,
         };
         let d = failure::failed_in(&failure, None, factory.name(), &evaluated.lines);

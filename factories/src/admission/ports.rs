@@ -31,7 +31,7 @@ pub(super) async fn examine(
     made: &Made,
 ) -> Vec<Finding> {
     let whose = format!("factory {name}");
-    let mut found = expected(&whose, request, set, &made.built.ports);
+    let mut found = expected(gate, &whose, request, set, &made.built.ports).await;
     found.extend(coincident(&whose, &made.built.ports));
     let recipe = &made.evaluated.recipe;
     match evidence::ask(gate.pool, recipe, &made.built.ports).await {
@@ -59,7 +59,13 @@ pub(super) async fn examine(
 }
 
 /// Expected ports that are not there, or not as expected.
-fn expected(whose: &str, request: &Request, set: &Set, ports: &[Port]) -> Vec<Finding> {
+async fn expected(
+    gate: &Gate<'_>,
+    whose: &str,
+    request: &Request,
+    set: &Set,
+    ports: &[Port],
+) -> Vec<Finding> {
     let mut found = Vec::new();
     for wanted in &request.expected_ports {
         let place = format!("{whose}, port '{}'", wanted.name);
@@ -86,7 +92,7 @@ fn expected(whose: &str, request: &Request, set: &Set, ports: &[Port]) -> Vec<Fi
                 ));
                 found.push(Finding::of_port(&wanted.name, d));
             }
-            Some(port) => found.extend(differing(&place, wanted, set, port)),
+            Some(port) => found.extend(differing(gate, &place, wanted, set, port).await),
         }
     }
     found
@@ -117,10 +123,22 @@ fn absent(place: &str, wanted: &ExpectedPort, ports: &[Port]) -> Diagnostic {
 }
 
 /// Parameters of a port that are not what the request says at this set.
-fn differing(place: &str, wanted: &ExpectedPort, set: &Set, port: &Port) -> Vec<Finding> {
+async fn differing(
+    gate: &Gate<'_>,
+    place: &str,
+    wanted: &ExpectedPort,
+    set: &Set,
+    port: &Port,
+) -> Vec<Finding> {
     let expressions = wanted.expressions();
     let texts: Vec<String> = expressions.iter().map(|(_, text)| text.clone()).collect();
-    let values = super::expressions(set, &texts);
+    let values = match gate.evaluator.expressions(set, &texts).await {
+        Ok(values) => values,
+        Err(faults) => {
+            let of = |d: Diagnostic| Finding::of_port(&wanted.name, d);
+            return faults.into_iter().map(of).collect();
+        }
+    };
     let mut found = Vec::new();
     for ((name, text), value) in expressions.iter().zip(values) {
         let at = format!("{place}, {name}");

@@ -7,6 +7,7 @@ use assemcad_model::canonical::sha256;
 use assemcad_model::frame::Placement;
 use assemcad_model::ports::Port;
 use assemcad_model::recipe::{Call, Recipe};
+use assemcad_workers::Tell;
 use lru::LruCache;
 
 use super::cache::{self, Disk, Entry};
@@ -20,9 +21,6 @@ use crate::{contact, pair, replay, step};
 
 /// What stands in a STEP header where it asks for persons.
 const UNSTATED: &str = "not stated";
-
-/// Says what is about to be done.
-type Tell<'a> = &'a mut dyn FnMut(Doing);
 
 fn doing(operation: &str, recipe: Option<String>) -> Doing {
     Doing {
@@ -60,12 +58,6 @@ impl Bench {
     }
 
     pub(super) fn work(&mut self, job: &Job, tell: Tell<'_>) -> Result<(Reply, Vec<u8>)> {
-        // Said at once: from now on the job counts as started.
-        tell(Doing {
-            operation: job.name().to_owned(),
-            step: None,
-            recipe: None,
-        });
         match job {
             Job::Build { recipe } => Ok((Reply::Built(self.build(recipe, tell)?), Vec::new())),
             Job::CommonVolume { a, b, samples } => {
