@@ -17,5 +17,6 @@ mod persistence;
 mod ports;
 mod realize;
 mod refusals;
+mod script_workers;
 mod sessions;
 mod verification;
