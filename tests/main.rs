@@ -17,6 +17,7 @@ mod persistence;
 mod ports;
 mod realize;
 mod refusals;
+mod script_workers;
 mod sessions;
 mod synthesis;
 mod verification;

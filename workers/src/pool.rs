@@ -4,6 +4,7 @@
 //! [`Failure`] that says which operation it was, and no other request notices. Time is counted from
 //! when a worker gets the job, not from when the job was queued.
 
+use std::collections::VecDeque;
 use std::ffi::OsString;
 use std::marker::PhantomData;
 use std::os::fd::OwnedFd;
@@ -30,11 +31,14 @@ const LINKER: [&str; 3] = [
     "DYLD_FALLBACK_LIBRARY_PATH",
 ];
 
-/// How the standard library's last words begin when an allocation fails, before it aborts.
+/// How a line of the standard library's last words begins when an allocation fails, before it aborts.
 const OUT_OF_MEMORY: &str = "memory allocation of ";
 
-/// What stands in them when a thread's stack is used up.
+/// What stands in a line of them when a thread's stack is used up.
 const STACK_OVERFLOW: &str = "stack overflow";
+
+/// So many last lines are kept: more may follow the one that says why.
+const LAST_LINES: usize = 8;
 
 /// The most that is read of one worker's standard error, in bytes: a log is short.
 const LONGEST_LOG: u64 = 1 << 20;
@@ -69,8 +73,8 @@ struct Worker {
     // Killed when dropped, so that a request whose caller went away leaves nothing running.
     child: Child,
     socket: UnixStream,
-    /// The last line that it wrote on standard error, where that is listened to.
-    last_words: Option<JoinHandle<String>>,
+    /// The last lines that it wrote on standard error, where that is listened to.
+    last_words: Option<JoinHandle<Vec<String>>>,
 }
 
 impl<W: Work> Pool<W> {
@@ -248,7 +252,7 @@ impl<W: Work> Pool<W> {
             Ok(Ok(status)) => {
                 let said = match &mut worker.last_words {
                     Some(task) => tokio::time::timeout(Duration::from_secs(2), task).await,
-                    None => Ok(Ok(String::new())),
+                    None => Ok(Ok(Vec::new())),
                 };
                 let said = said.ok().and_then(Result::ok).unwrap_or_default();
                 self.cause_of_death(status, &said)
@@ -268,14 +272,16 @@ impl<W: Work> Pool<W> {
         }
     }
 
-    fn cause_of_death(&self, status: ExitStatus, said: &str) -> (FailureKind, String) {
+    fn cause_of_death(&self, status: ExitStatus, said: &[String]) -> (FailureKind, String) {
         use rustix::process::Signal;
         let limits = self.config.limits;
+        let aborted = status.signal() == Some(Signal::ABORT.as_raw());
+        let said = |what: fn(&str) -> bool| aborted && said.iter().any(|line| what(line));
         match status.signal() {
-            Some(s) if s == Signal::ABORT.as_raw() && said.starts_with(OUT_OF_MEMORY) => {
+            _ if said(|line| line.starts_with(OUT_OF_MEMORY)) => {
                 (FailureKind::Memory, limits.memory_exceeded())
             }
-            Some(s) if s == Signal::ABORT.as_raw() && said.contains(STACK_OVERFLOW) => (
+            _ if said(|line| line.contains(STACK_OVERFLOW)) => (
                 FailureKind::Memory,
                 "it nested deeper than the worker's stack reaches".to_owned(),
             ),
@@ -305,15 +311,18 @@ enum Outcome<W: Work> {
     Lost { started: bool, failure: Failure },
 }
 
-/// Hands the worker's log on to that of this process and keeps its last line.
-async fn listen(said: ChildStderr) -> String {
+/// Hands the worker's log on to that of this process and keeps its last lines.
+async fn listen(said: ChildStderr) -> Vec<String> {
     let mut lines = BufReader::new(said.take(LONGEST_LOG)).lines();
-    let mut last = String::new();
+    let mut last = VecDeque::new();
     while let Ok(Some(line)) = lines.next_line().await {
         tracing::warn!("a worker: {line}");
-        last = line;
+        last.push_back(line);
+        if last.len() > LAST_LINES {
+            last.pop_front();
+        }
     }
-    last
+    last.into()
 }
 
 async fn converse<W: Work>(

@@ -103,7 +103,7 @@ impl Handler<ScriptWork> for Desk {
     }
 
     fn is_fit(&self) -> bool {
-        !crate::thread::is_any_left_behind()
+        crate::thread::is_fit()
     }
 }
 
