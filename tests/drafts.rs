@@ -145,7 +145,8 @@ fn the_prompt_tells_what_a_draft_needs() {
     let mut kit = Kit::new();
     let all = kit.session.request("prompts/list", json!({})).unwrap();
     let prompts = all["result"]["prompts"].as_array().unwrap();
-    assert_eq!(prompts.len(), 1);
+    let names: Vec<&Value> = prompts.iter().map(|p| &p["name"]).collect();
+    assert_eq!(names, ["decompose", "repair", "synthesize"]);
     assert_eq!(prompts[0]["name"], "decompose");
     assert_eq!(prompts[0]["arguments"][0]["name"], "description");
     assert_eq!(prompts[0]["arguments"][0]["required"], true);

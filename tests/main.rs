@@ -1,6 +1,7 @@
 //! Scripted sessions over the real protocol, against a server of their own each.
 #![cfg(test)]
 
+mod admission;
 mod axioms;
 mod bad_input;
 mod bolted;

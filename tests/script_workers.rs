@@ -72,17 +72,17 @@ async fn goes_on(evaluator: &Evaluator) {
 #[tokio::test]
 async fn the_same_answers_as_in_this_process() {
     let (there, here) = (processes(LIMITS), Evaluator::here());
-    for factory in Registry::builtin().iter() {
+    for factory in Registry::builtin().all() {
         let (name, source) = (factory.name(), factory.source());
         let read = there.parse(name, source).await.unwrap();
         assert_eq!(read.doc(), factory.doc());
         assert_eq!(read.params(), factory.params(), "{name}");
         let made = there.build(&read, &Map::new()).await;
-        assert_eq!(made, here.build(factory, &Map::new()).await, "{name}");
+        assert_eq!(made, here.build(&factory, &Map::new()).await, "{name}");
         let wrong = json!({"no_such_parameter": 1, "length": "x"});
         let wrong = wrong.as_object().unwrap();
         let found = there.build(&read, wrong).await.unwrap_err();
-        assert_eq!(found, here.build(factory, wrong).await.unwrap_err());
+        assert_eq!(found, here.build(&factory, wrong).await.unwrap_err());
     }
     let plain = "result = cq.Workplane().box(1, 2, 3)\n";
     assert_eq!(

@@ -242,7 +242,7 @@ impl ToWrite {
         let all = workshop.registry.all();
         let mut room = MOST_EXAMPLES;
         let mut examples = Vec::new();
-        for factory in nearest(request, all.iter().map(AsRef::as_ref), 2 * EXAMPLES) {
+        for factory in nearest(request, all.iter().map(AsRef::as_ref)) {
             let source = factory.source();
             if source.len() <= room && examples.len() < EXAMPLES {
                 room -= source.len();

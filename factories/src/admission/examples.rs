@@ -10,13 +10,12 @@ use assemcad_script::{Evaluator, Factory};
 use super::request::{ExpectedPort, Request};
 use super::sets::Set;
 
-/// The factories most like a request, best first: by the words of the description, and by the types of
+/// The factories, those most like a request first: by the words of the description, and by the types of
 /// the expected ports as their documentation names them.
 #[must_use]
 pub fn nearest<'a>(
     request: &Request,
     factories: impl IntoIterator<Item = &'a Factory>,
-    most: usize,
 ) -> Vec<&'a Factory> {
     let mut wanted = words(&request.description);
     wanted.extend(request.params.iter().flat_map(|p| words(&p.name)));
@@ -34,7 +33,7 @@ pub fn nearest<'a>(
     let mut scored: Vec<(usize, &Factory)> = factories.into_iter().map(|f| (score(f), f)).collect();
     // Stable: among equals, the order of the names.
     scored.sort_by_key(|(score, _)| core::cmp::Reverse(*score));
-    scored.into_iter().take(most).map(|(_, f)| f).collect()
+    scored.into_iter().map(|(_, f)| f).collect()
 }
 
 /// The words of a text that tell something.
