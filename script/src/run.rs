@@ -95,14 +95,7 @@ impl Job {
                 if !broken.is_empty() {
                     return Err(broken.iter().map(|m| fault::of_params(m)).collect());
                 }
-                let result = result.map_err(|e| {
-                    vec![fault::diagnostic(
-                        &job.name,
-                        &job.limits,
-                        &session.lines,
-                        &e,
-                    )]
-                })?;
+                let result = result.map_err(|e| vec![fault::diagnostic(&job.name, session, &e)])?;
                 let hint = "end build(p) with `return` and the finished workplane";
                 built(job, session, "build(p) returned", result, hint)
             })
@@ -181,14 +174,7 @@ impl Job {
         }
         let lines = Lines(crate::scan::calls(&source, &dialect));
         let session = Session::new(&self.limits, lines, &source);
-        let one = |e: &starlark::Error| {
-            vec![fault::diagnostic(
-                &self.name,
-                &self.limits,
-                &session.lines,
-                e,
-            )]
-        };
+        let one = |e: &starlark::Error| vec![fault::diagnostic(&self.name, &session, e)];
         let mut ast = AstModule::parse(&self.name, source, &dialect).map_err(|e| one(&e))?;
         ast.replace_binary_operators(&guard::operators());
         let deadline = Instant::now() + self.limits.time;
@@ -264,7 +250,7 @@ impl<'e, F: Fn() -> bool> BeforeStmtFuncDyn<'e> for Watch<F> {
         eval: &mut Evaluator<'v, '_, 'e>,
     ) -> starlark::Result<()> {
         self.statements += 1;
-        self.recorder.get().statement = span.span.begin().get();
+        self.recorder.get().statement = Some(span.span.begin().get());
         let fault = if self.statements > self.limits.statements {
             Fault::new(format!(
                 "more than {} statements are carried out (limit statements)",

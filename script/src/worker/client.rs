@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use assemcad_model::diagnostic::{Code, Diagnostic};
-use assemcad_model::param::clip;
 use assemcad_workers::{Failure, FailureKind, Limits, Pool};
 use serde_json::{Map, Value, json};
 
@@ -141,7 +140,7 @@ impl Evaluator {
 }
 
 fn place(name: &str) -> String {
-    format!("factory {}", clip(name))
+    crate::fault::place(name, None)
 }
 
 /// What is wrong, where the answer is not the one that was asked for.
