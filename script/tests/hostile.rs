@@ -263,3 +263,27 @@ fn millions_of_operations() {
         refused(lines, part);
     }
 }
+
+#[test]
+fn texts_that_never_end() {
+    // The lexer does not move on at some of these.
+    for line in [
+        "x = f\"{\"length along z\"),",
+        "x = f\"{\"a\nb\"",
+        "x = f\"{'\n",
+        "x = f\"{f\"{f\"{",
+        "x = \"\"\"",
+        "x = f\"\"\"{",
+        "x = r\"\\",
+        "x = 'a",
+    ] {
+        let start = std::time::Instant::now();
+        let found = evaluate(&building(line)).unwrap_err();
+        assert_eq!(found.len(), 1, "{line}: {found:?}");
+        assert!(found[0].place.contains(":line "), "{line}: {found:?}");
+        assert!(
+            start.elapsed() < core::time::Duration::from_secs(5),
+            "{line}"
+        );
+    }
+}

@@ -160,7 +160,14 @@ fn run(cases: u64, case: impl Fn(u64) -> Result<bool, String>) {
 #[test]
 fn sources_made_worse() {
     let corpus = corpus();
-    run(CASES, |seed| check(&mutated(&corpus, &mut Dice::new(seed))));
+    run(CASES, |seed| {
+        let m = mutated(&corpus, &mut Dice::new(seed));
+        if std::env::var("DUMP").is_ok() {
+            std::fs::write("/tmp/dump.src", &m).unwrap();
+            std::process::exit(0)
+        }
+        check(&m)
+    });
 }
 
 #[test]
