@@ -68,7 +68,9 @@ fn corpus() -> Vec<String> {
     all
 }
 
-fn evaluate(source: &str) -> Result<Evaluated, Vec<Diagnostic>> {
+type Answer = Result<Evaluated, Vec<Diagnostic>>;
+
+fn evaluate(source: &str) -> Answer {
     if source.contains("factory(") {
         Factory::parse_within("user.fuzz", source, limits())?.build(&Map::new())
     } else {
@@ -123,6 +125,11 @@ fn check(source: &str) -> Result<bool, String> {
     }
     if first != second {
         return Err(format!("two answers: {first:?} and {second:?}"));
+    }
+    // As it goes over the socket of a worker.
+    let sent = serde_json::to_string(&first).map_err(|e| e.to_string())?;
+    if serde_json::from_str::<Answer>(&sent).map_err(|e| e.to_string())? != first {
+        return Err("the answer does not survive being sent".to_owned());
     }
     match first {
         Ok(made) if made.lines.len() != made.recipe.calls.len() => Err("lines".to_owned()),
