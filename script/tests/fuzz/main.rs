@@ -24,7 +24,7 @@ use mutate::{Dice, expression, mutated};
 use serde_json::{Map, Value, json};
 
 /// Cases of the bounded run.
-const CASES: u64 = 1_000;
+const CASES: u64 = 500;
 
 /// Much less than a factory may use, so that many cases fit; time is no limit that decides.
 fn limits() -> Limits {
