@@ -2,6 +2,7 @@
 //!
 //! It may crash, hang or run out of its limits at any time; the pool on the other side copes.
 
+mod asked;
 mod cache;
 mod jobs;
 mod limits;
