@@ -7,12 +7,14 @@ use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
-use assemcad_tools::{Effect, Offer, prompts};
+use assemcad_tools::{Effect, Offer, Output, prompts};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD as BASE64;
 use rmcp::model::{
-    CallToolRequestParams, CallToolResponse, CallToolResult, CustomRequest, CustomResult,
-    ErrorCode, GetPromptRequestParams, GetPromptResponse, GetPromptResult, Implementation,
-    ListPromptsResult, ListToolsResult, PaginatedRequestParams, Prompt, PromptArgument,
-    PromptMessage, Role, ServerCapabilities, ServerConfig, Tool, ToolAnnotations,
+    CallToolRequestParams, CallToolResponse, CallToolResult, ContentBlock, CustomRequest,
+    CustomResult, ErrorCode, GetPromptRequestParams, GetPromptResponse, GetPromptResult,
+    Implementation, ListPromptsResult, ListToolsResult, PaginatedRequestParams, Prompt,
+    PromptArgument, PromptMessage, Role, ServerCapabilities, ServerConfig, Tool, ToolAnnotations,
 };
 use rmcp::service::RequestContext;
 use rmcp::transport::stdio as streams;
@@ -92,14 +94,28 @@ fn tool(offer: &Offer) -> Tool {
         Some(true),
         Some(false),
     );
-    Tool::new(
+    let tool = Tool::new(
         offer.name,
         offer.description,
         Arc::new(offer.input_schema.clone()),
     )
     .with_title(offer.title)
-    .with_raw_output_schema(Arc::new(offer.output_schema.clone()))
-    .with_annotations(annotations)
+    .with_annotations(annotations);
+    match &offer.output_schema {
+        Some(schema) => tool.with_raw_output_schema(Arc::new(schema.clone())),
+        None => tool,
+    }
+}
+
+fn answered(output: Output) -> CallToolResult {
+    match output {
+        Output::Object(answer) => CallToolResult::structured(answer),
+        // Without structured content: clients that find some show nothing else to the model.
+        Output::Picture(picture) => CallToolResult::success(vec![
+            ContentBlock::text(picture.caption),
+            ContentBlock::image(BASE64.encode(picture.png), "image/png"),
+        ]),
+    }
 }
 
 impl ServerHandler for Server {
@@ -223,7 +239,7 @@ impl ServerHandler for Server {
             }
         };
         Ok(match result {
-            Ok(answer) => CallToolResult::structured(answer),
+            Ok(output) => answered(output),
             Err(faults) => CallToolResult::structured_error(json!({"diagnostics": faults})),
         }
         .into())

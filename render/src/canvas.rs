@@ -50,11 +50,17 @@ impl Canvas {
         let mut pixels = Vec::with_capacity(width * height);
         let mut rows = self.pixels.chunks_exact(self.width.max(1));
         while let (Some(upper), Some(lower)) = (rows.next(), rows.next()) {
-            for (a, b) in upper.as_chunks::<2>().0.iter().zip(lower.as_chunks::<2>().0) {
+            for (a, b) in upper
+                .as_chunks::<2>()
+                .0
+                .iter()
+                .zip(lower.as_chunks::<2>().0)
+            {
                 let [[p, q], [r, s]] = [a, b];
                 let mut mean = [0; 3];
                 for ((((m, p), q), r), s) in mean.iter_mut().zip(p).zip(q).zip(r).zip(s) {
-                    *m = byte((f64::from(*p) + f64::from(*q) + f64::from(*r) + f64::from(*s)) / 4.0);
+                    *m =
+                        byte((f64::from(*p) + f64::from(*q) + f64::from(*r) + f64::from(*s)) / 4.0);
                 }
                 pixels.push(mean);
             }

@@ -2,7 +2,7 @@
 
 use crate::camera::Camera;
 use crate::canvas::{Canvas, Rgb, mix, rgb};
-use crate::raster::{Corner, Kind, Layer, Texel};
+use crate::raster::{Corner, Kind, Layer, Texel, byte, to_f64};
 use crate::scene::{Body, Look};
 
 /// How many times finer than the picture its bodies are drawn, each way.
@@ -49,7 +49,7 @@ pub(crate) fn bodies(bodies: &[Body], camera: &Camera, width: usize, height: usi
 }
 
 fn fine(camera: &Camera, p: [f64; 3]) -> [f64; 3] {
-    camera.project(p).map(|x| x * 2.0)
+    camera.project(p).map(|x| x * to_f64(FINE))
 }
 
 fn faces(layer: &mut Layer, body: &Body, number: u16, camera: &Camera) {
@@ -78,9 +78,7 @@ fn faces(layer: &mut Layer, body: &Body, number: u16, camera: &Camera) {
 
 fn edges(layer: &mut Layer, body: &Body, number: u16, camera: &Camera) {
     for chain in &body.surface.edges {
-        let mut points = chain
-            .iter()
-            .map(|p| fine(camera, body.placement.point(*p)));
+        let mut points = chain.iter().map(|p| fine(camera, body.placement.point(*p)));
         let Some(mut from) = points.next() else {
             continue;
         };
@@ -106,9 +104,8 @@ fn outlines(layer: &mut Layer) {
                 continue;
             };
             let border = |dx: isize, dy: isize| {
-                let beside = |n: usize, d: isize, most: usize| {
-                    n.checked_add_signed(d).filter(|n| *n < most)
-                };
+                let beside =
+                    |n: usize, d: isize, most: usize| n.checked_add_signed(d).filter(|n| *n < most);
                 let (Some(p), Some(q)) = (beside(x, dx, width), beside(y, dy, height)) else {
                     return false;
                 };
@@ -171,21 +168,25 @@ fn composed(layers: &[(Look, Layer)], bodies: &[Body], width: usize, height: usi
 fn colored(texel: Texel, look: Look, own: Rgb, x: usize, y: usize) -> (Rgb, f64) {
     let lit = |c: Rgb| {
         let light = 0.42 + 0.78 * f64::from(texel.shade) / 255.0;
-        c.map(|c| crate::raster::byte(f64::from(c) * light))
+        c.map(|c| byte(f64::from(c) * light))
     };
     match (look, texel.kind) {
         (Look::Solid, Kind::Face) => (lit(own), 1.0),
         (Look::Solid, Kind::Line) => (mix(own, INK, 0.88), 1.0),
+        (Look::Ghost, Kind::Line) => (GHOST, 0.8),
+        (Look::Ghost, _) => (lit(GHOST), 0.22),
         (_, Kind::Cut) => {
             // Cut material is hatched at 45 degrees, neighbours the other way.
-            let place = if texel.body.is_multiple_of(2) { x + y } else { x + 3 * FINE * 4096 - y };
+            let place = if texel.body.is_multiple_of(2) {
+                x + y
+            } else {
+                x + 3 * FINE * 4096 - y
+            };
             let hatch = place % (8 * FINE) < FINE + 1;
             let light = mix(own, PAPER, 0.35);
             (if hatch { mix(own, INK, 0.6) } else { light }, 1.0)
         }
         (Look::Glass, Kind::Face) => (lit(own), 0.38),
         (Look::Glass, Kind::Line) => (mix(own, INK, 0.8), 0.85),
-        (Look::Ghost, Kind::Face) => (lit(GHOST), 0.22),
-        (Look::Ghost, Kind::Line) => (GHOST, 0.8),
     }
 }

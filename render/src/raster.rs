@@ -58,17 +58,15 @@ impl Layer {
         }
         let slope = |k: usize| {
             let (p, q) = (component(&u, k), component(&v, k));
-            [
-                (p * v[1] - q * u[1]) / turn,
-                (q * u[0] - p * v[0]) / turn,
-            ]
+            [(p * v[1] - q * u[1]) / turn, (q * u[0] - p * v[0]) / turn]
         };
         let (z, shade) = (slope(2), slope(3));
         let range = |k: usize| {
             let all = [component(&a, k), component(&b, k), component(&c, k)];
-            all.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| {
-                (l.min(*x), h.max(*x))
-            })
+            all.iter()
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| {
+                    (l.min(*x), h.max(*x))
+                })
         };
         let ((top, bottom), (z_low, z_high)) = (range(1), range(2));
         for y in pixels(top, bottom, self.height) {
@@ -194,12 +192,7 @@ fn pixels(low: f64, high: f64, most: usize) -> core::ops::Range<usize> {
 }
 
 /// The piece of a line that lies in the picture, give or take a pixel.
-fn clip(
-    a: [f64; 3],
-    b: [f64; 3],
-    width: usize,
-    height: usize,
-) -> Option<([f64; 3], [f64; 3])> {
+fn clip(a: [f64; 3], b: [f64; 3], width: usize, height: usize) -> Option<([f64; 3], [f64; 3])> {
     let (mut from, mut to) = (0.0_f64, 1.0_f64);
     for (p, q, most) in [(a[0], b[0], to_f64(width)), (a[1], b[1], to_f64(height))] {
         let d = q - p;
@@ -225,24 +218,20 @@ fn clip(
 }
 
 /// Sizes of pictures are small.
-#[allow(clippy::cast_precision_loss)]
 pub(crate) fn to_f64(n: usize) -> f64 {
     n as f64
 }
 
 /// A number that was held between 0 and the size of a picture.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 pub(crate) fn whole(x: f64) -> usize {
     x as usize
 }
 
 /// The nearest byte.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 pub(crate) fn byte(x: f64) -> u8 {
     (x + 0.5).clamp(0.0, 255.0) as u8
 }
 
-#[allow(clippy::cast_possible_truncation)]
 fn narrow(x: f64) -> f32 {
     x as f32
 }
@@ -259,7 +248,14 @@ mod tests {
     fn pixels_belong_to_one_of_two_triangles_with_a_common_side() {
         // A square of 40.3 x 30.7 pixels in two triangles, turned by the slope 3 to 4.
         let (u, v) = ([0.8 * 40.3, 0.6 * 40.3], [-0.6 * 30.7, 0.8 * 30.7]);
-        let p = |s: f64, t: f64| [30.0 + u[0] * s + v[0] * t, 10.0 + u[1] * s + v[1] * t, 0.0, 0.0];
+        let p = |s: f64, t: f64| {
+            [
+                30.0 + u[0] * s + v[0] * t,
+                10.0 + u[1] * s + v[1] * t,
+                0.0,
+                0.0,
+            ]
+        };
         let (a, b, c, d) = (p(0.0, 0.0), p(1.0, 0.0), p(1.0, 1.0), p(0.0, 1.0));
         let mut both = Layer::new(100, 100);
         both.triangle([a, c, b], 1, Kind::Face);
@@ -278,8 +274,18 @@ mod tests {
 
     #[test]
     fn the_nearer_one_is_seen_in_either_order() {
-        let square = |z: f64| [[0.0, 0.0, z, 0.0], [0.0, 20.0, z, 0.0], [20.0, 20.0, z, 0.0]];
-        let slanted = [[0.0, 0.0, -10.0, 0.0], [0.0, 20.0, -10.0, 0.0], [20.0, 20.0, 10.0, 0.0]];
+        let square = |z: f64| {
+            [
+                [0.0, 0.0, z, 0.0],
+                [0.0, 20.0, z, 0.0],
+                [20.0, 20.0, z, 0.0],
+            ]
+        };
+        let slanted = [
+            [0.0, 0.0, -10.0, 0.0],
+            [0.0, 20.0, -10.0, 0.0],
+            [20.0, 20.0, 10.0, 0.0],
+        ];
         for order in [[1, 2], [2, 1]] {
             let mut layer = Layer::new(20, 20);
             for body in order {
@@ -296,7 +302,15 @@ mod tests {
     #[test]
     fn hidden_edges_are_not_drawn() {
         let mut layer = Layer::new(40, 40);
-        layer.triangle([[0.0, 0.0, 0.0, 0.0], [0.0, 40.0, 0.0, 0.0], [40.0, 40.0, 0.0, 0.0]], 1, Kind::Face);
+        layer.triangle(
+            [
+                [0.0, 0.0, 0.0, 0.0],
+                [0.0, 40.0, 0.0, 0.0],
+                [40.0, 40.0, 0.0, 0.0],
+            ],
+            1,
+            Kind::Face,
+        );
         let lines = |layer: &Layer| layer.texels.iter().filter(|t| t.kind == Kind::Line).count();
         layer.edge([5.0, 30.0, -2.0], [25.0, 30.0, -2.0], 1, 1);
         assert_eq!(lines(&layer), 0, "it lies behind");

@@ -105,9 +105,7 @@ impl Bench {
                 angle_deg,
             } => self.tessellate(body, *deflection, *angle_deg, tell),
             Job::Measure { of } => Ok((Reply::Measured(self.measure(of, tell)?), Vec::new())),
-            Job::Distance { a, b } => {
-                Ok((Reply::Distance(self.distance(a, b, tell)?), Vec::new()))
-            }
+            Job::Distance { a, b } => Ok((Reply::Distance(self.distance(a, b, tell)?), Vec::new())),
         }
     }
 

@@ -110,7 +110,11 @@ fn meshes_are_watertight() {
             assert!(ways.len() >= 18, "{name}");
             for ((a, b), count) in &ways {
                 // Each edge belongs to two triangles, which run along it in opposite ways.
-                assert_eq!((*count, ways.get(&(*b, *a))), (1, Some(&1)), "{name} {deflection}");
+                assert_eq!(
+                    (*count, ways.get(&(*b, *a))),
+                    (1, Some(&1)),
+                    "{name} {deflection}"
+                );
             }
         }
     }
@@ -128,7 +132,10 @@ fn volumes_converge_to_the_closed_forms() {
             (volume(&solid.mesh(deflection, 30.0).unwrap()) - exact).abs() / exact
         };
         let (coarse, fine) = (off(0.1), off(0.001));
-        assert!(coarse < 0.05 && fine < 6e-4 && fine <= coarse + 1e-12, "{exact}: {coarse} {fine}");
+        assert!(
+            coarse < 0.05 && fine < 6e-4 && fine <= coarse + 1e-12,
+            "{exact}: {coarse} {fine}"
+        );
     }
 }
 
@@ -138,7 +145,10 @@ fn edges_run_along_the_triangles() {
     let nodes: Vec<[f64; 3]> = mesh.positions.clone();
     // 12 edges of the box, 2 circles for each hole, 1 seam for each hole.
     let count = |turn| mesh.lines.iter().filter(|l| l.turn == turn).count();
-    assert_eq!((count(Turn::Convex), count(Turn::Seam), mesh.lines.len()), (16, 2, 18));
+    assert_eq!(
+        (count(Turn::Convex), count(Turn::Seam), mesh.lines.len()),
+        (16, 2, 18)
+    );
     let mut length = 0.0;
     for line in &mesh.lines {
         assert!(line.points.len() >= 2);
@@ -173,26 +183,45 @@ fn a_mesh_comes_back_from_its_bytes() {
 #[test]
 fn a_plane_leaves_what_is_behind_it() {
     let cut = |solid: &Shape, point, normal| {
-        behind(solid, point, normal)
-            .unwrap()
-            .map(|s| (s.mass().unwrap().volume, volume(&s.mesh(0.01, 10.0).unwrap())))
+        behind(solid, point, normal).unwrap().map(|s| {
+            (
+                s.mass().unwrap().volume,
+                volume(&s.mesh(0.01, 10.0).unwrap()),
+            )
+        })
     };
     let block = cuboid([0.0; 3], [10.0, 20.0, 30.0]);
     let (exact, meshed) = cut(&block, [0.0, 0.0, 12.0], [0.0, 0.0, 1.0]).unwrap();
     near(exact, 10.0 * 20.0 * 12.0, 1e-6);
     near(meshed, exact, 1e-6);
     // The other side of the same plane.
-    near(cut(&block, [0.0, 0.0, 12.0], [0.0, 0.0, -1.0]).unwrap().0, 200.0 * 18.0, 1e-6);
+    near(
+        cut(&block, [0.0, 0.0, 12.0], [0.0, 0.0, -1.0]).unwrap().0,
+        200.0 * 18.0,
+        1e-6,
+    );
     // Across a corner: the plane x + y + z = 9 leaves the corner's tetrahedron.
-    near(cut(&block, [9.0, 0.0, 0.0], [1.0; 3]).unwrap().0, 9.0_f64.powi(3) / 6.0, 1e-6);
+    near(
+        cut(&block, [9.0, 0.0, 0.0], [1.0; 3]).unwrap().0,
+        9.0_f64.powi(3) / 6.0,
+        1e-6,
+    );
     // Half a ball, closed by its disc.
     let ball = Shape::sphere(&Frame::WORLD, 6.0).unwrap();
     let (exact, meshed) = cut(&ball, [0.0; 3], [0.0, 1.0, 0.0]).unwrap();
     near(exact, 144.0 * PI, 1e-6);
     near(meshed / exact, 1.0, 5e-3);
     // A plane beside the solid, and one in its face.
-    near(cut(&block, [0.0, 0.0, 31.0], [0.0, 0.0, 1.0]).unwrap().0, 6000.0, 1e-6);
-    near(cut(&block, [0.0, 0.0, 30.0], [0.0, 0.0, 1.0]).unwrap().0, 6000.0, 1e-6);
+    near(
+        cut(&block, [0.0, 0.0, 31.0], [0.0, 0.0, 1.0]).unwrap().0,
+        6000.0,
+        1e-6,
+    );
+    near(
+        cut(&block, [0.0, 0.0, 30.0], [0.0, 0.0, 1.0]).unwrap().0,
+        6000.0,
+        1e-6,
+    );
     assert!(cut(&block, [0.0; 3], [0.0, 0.0, 1.0]).is_none());
     assert!(behind(&block, [0.0; 3], [0.0; 3]).is_err());
 }
