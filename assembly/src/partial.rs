@@ -3,6 +3,7 @@
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::spec::Assembly;
 use futures::future::join_all;
+use serde_json::json;
 
 use crate::place::{self, Placed};
 use crate::resolve::{self, Resolved};
@@ -20,8 +21,18 @@ pub(crate) struct Partial {
 /// Makes and places what can be.
 ///
 /// # Errors
-/// When no part at all can be made.
+/// When there is no part, or none that can be made.
 pub(crate) async fn of(workshop: &Workshop, spec: &Assembly) -> Result<Partial, Faults> {
+    if spec.parts.is_empty() {
+        return Err(vec![
+            Diagnostic::error(
+                Code::AssemblyEmpty,
+                "assembly",
+                format!("'{}' has no parts", spec.id),
+            )
+            .next("list_factories", json!({})),
+        ]);
+    }
     let places: Vec<String> = (0..spec.parts.len())
         .map(|i| format!("parts[{i}]"))
         .collect();

@@ -83,14 +83,26 @@ pub struct Camera {
     pub toward: [f64; 3],
     /// Pixels for a millimetre.
     pub px_per_mm: f64,
-    /// The point of the scene that is in the middle of the panel.
+    /// The point of the scene that is in the middle of what the panel has for it.
     pub middle: [f64; 3],
+    /// That middle, in pixels from the panel's left and top.
+    pub centre: [f64; 2],
     /// Width and height of the panel in pixels.
     pub size: [f64; 2],
 }
 
-/// The free border around the scene, as a share of the panel's smaller side.
-const BORDER: f64 = 0.07;
+/// The free border at the sides of a panel, in pixels, at most this share of its width.
+const SIDE: (f64, f64) = (28.0, 0.08);
+
+/// The same at the top, where the title stands, of the height.
+const ABOVE: (f64, f64) = (30.0, 0.12);
+
+/// The same at the bottom, where axes and scale are.
+const BELOW: (f64, f64) = (50.0, 0.18);
+
+fn border((px, share): (f64, f64), side: f64) -> f64 {
+    px.min(share * side)
+}
 
 impl Camera {
     /// A camera over a panel of so many pixels that sees all bodies that want room.
@@ -105,33 +117,27 @@ impl Camera {
             return Err(RenderError::Camera);
         }
         let right = across.normalize();
+        let [width, height] = size;
+        let (above, below) = (border(ABOVE, height), border(BELOW, height));
+        let room = [width - 2.0 * border(SIDE, width), height - above - below];
         let mut camera = Self {
             right: right.into(),
             up: toward.cross(&right).into(),
             toward: toward.into(),
             px_per_mm: 1.0,
             middle: [0.0; 3],
+            centre: [width / 2.0, above + room[1] / 2.0],
             size,
         };
-        let [width, height] = size;
-        match eye.aim {
-            Some((middle, seen_mm)) => {
-                camera.middle = middle;
-                camera.px_per_mm = height / seen_mm;
-            }
-            None => {
-                let free = 1.0 - 2.0 * BORDER * width.min(height) / width;
-                let free_up = 1.0 - 2.0 * BORDER * width.min(height) / height;
-                if let Some((low, high)) = camera.extent(bodies) {
-                    let spans = (high - low).map(|s| s.max(1e-6));
-                    camera.px_per_mm = (width * free / spans.x).min(height * free_up / spans.y);
-                    let middle = (low + high) / 2.0;
-                    camera.middle = (right * middle.x
-                        + Vector3::from(camera.up) * middle.y
-                        + toward * middle.z)
-                        .into();
-                }
-            }
+        if let Some((middle, seen_mm)) = eye.aim {
+            camera.middle = middle;
+            camera.px_per_mm = height / seen_mm;
+        } else if let Some((low, high)) = camera.extent(bodies) {
+            let spans = (high - low).map(|s| s.max(1e-6));
+            camera.px_per_mm = (room[0] / spans.x).min(room[1] / spans.y);
+            let middle = (low + high) / 2.0;
+            let up = Vector3::from(camera.up);
+            camera.middle = (right * middle.x + up * middle.y + toward * middle.z).into();
         }
         Ok(camera)
     }
@@ -163,8 +169,8 @@ impl Camera {
     #[must_use]
     pub fn project(&self, p: [f64; 3]) -> [f64; 3] {
         let off = (self.along(p) - self.along(self.middle)) * self.px_per_mm;
-        let [width, height] = self.size;
-        [width / 2.0 + off.x, height / 2.0 - off.y, off.z]
+        let [x, y] = self.centre;
+        [x + off.x, y - off.y, off.z]
     }
 
     /// A direction's components to the right, up and towards the viewer.

@@ -19,6 +19,7 @@ mod sheet;
 mod text;
 
 pub use camera::{Camera, Eye, View};
+pub use paint::ALARM;
 pub use scene::{Body, Chain, Entry, Look, Mark, Panel, Sheet, Surface};
 pub use sheet::{Picture, Shown, draw};
 

@@ -2,7 +2,7 @@
 
 use crate::camera::Camera;
 use crate::canvas::{Canvas, Rgb};
-use crate::paint::FINE;
+use crate::paint::{FINE, Painted};
 use crate::raster::{to_f64, whole};
 use crate::scene::Mark;
 use crate::text::{Font, width};
@@ -12,6 +12,12 @@ const AXES: [Rgb; 3] = [[200, 32, 38], [22, 136, 44], [28, 72, 208]];
 
 /// Text and the scale's bar.
 pub(crate) const TEXT: Rgb = [36, 38, 44];
+
+/// The names of frames behind a body.
+const HIDDEN: Rgb = [112, 116, 124];
+
+/// How much of a frame behind a body is seen.
+const FAINT: f64 = 0.4;
 
 /// The length of a frame's axes in pixels: of ports, and of parts.
 const AXIS: [f64; 2] = [22.0, 40.0];
@@ -41,11 +47,11 @@ impl Label {
 }
 
 /// An axis from a point of the panel, as it is seen: a line with a short head.
-fn axis(canvas: &mut Canvas, from: [f64; 2], d: [f64; 2], color: Rgb, thick: f64) {
+fn axis(canvas: &mut Canvas, from: [f64; 2], d: [f64; 2], color: Rgb, (thick, share): (f64, f64)) {
     let fine = to_f64(FINE);
     let to = [from[0] + d[0], from[1] + d[1]];
     let scaled = |p: [f64; 2]| p.map(|x| x * fine);
-    canvas.line(scaled(from), scaled(to), thick * fine, color, 1.0);
+    canvas.line(scaled(from), scaled(to), thick * fine, color, share);
     let long = (d[0] * d[0] + d[1] * d[1]).sqrt();
     if long > 6.0 {
         let [x, y] = d.map(|c| c / long);
@@ -54,13 +60,13 @@ fn axis(canvas: &mut Canvas, from: [f64; 2], d: [f64; 2], color: Rgb, thick: f64
                 to[0] - 5.0 * x + 2.5 * side * y,
                 to[1] - 5.0 * y - 2.5 * side * x,
             ];
-            canvas.line(scaled(to), scaled(head), thick * fine, color, 1.0);
+            canvas.line(scaled(to), scaled(head), thick * fine, color, share);
         }
     }
 }
 
-/// Draws frames on the fine canvas. Gives the labels that found a place, and how many did not.
-pub(crate) fn marks(canvas: &mut Canvas, camera: &Camera, marks: &[Mark]) -> (Vec<Label>, usize) {
+/// Draws frames, those behind a body faintly. Gives the labels that found a place, and how many did not.
+pub(crate) fn marks(painted: &mut Painted, camera: &Camera, marks: &[Mark]) -> (Vec<Label>, usize) {
     let [wide, high] = camera.size;
     let mut taken: Vec<[f64; 4]> = Vec::new();
     let mut labels = Vec::new();
@@ -72,20 +78,28 @@ pub(crate) fn marks(canvas: &mut Canvas, camera: &Camera, marks: &[Mark]) -> (Ve
             .map(|m| (m, camera.project(m.frame.origin)))
             .filter(|(_, p)| seen(*p))
     };
-    for (mark, [x, y, _]) in shown() {
+    for (mark, [x, y, z]) in shown() {
+        let share = if painted.is_hidden([x, y, z]) {
+            FAINT
+        } else {
+            1.0
+        };
+        let canvas = &mut painted.canvas;
         taken.push([x - 4.0, y - 4.0, 8.0, 8.0]);
         let long = if mark.large { AXIS[1] } else { AXIS[0] };
         let ([a, b, c], [d, e, f]) = (mark.frame.z, mark.frame.x);
         let across = [b * f - c * e, c * d - a * f, a * e - b * d];
         for (color, direction) in AXES.iter().zip([mark.frame.x, across, mark.frame.z]) {
             let [right, up, _] = camera.turn(direction);
-            axis(canvas, [x, y], [long * right, -long * up], *color, 1.5);
+            let d = [long * right, -long * up];
+            axis(canvas, [x, y], d, *color, (1.5, share));
         }
         let fine = to_f64(FINE);
         let dot = [x * fine, y * fine];
-        canvas.line(dot, dot, 5.0 * fine, TEXT, 1.0);
+        canvas.line(dot, dot, 5.0 * fine, TEXT, share);
     }
-    for (mark, [x, y, _]) in shown() {
+    for (mark, [x, y, z]) in shown() {
+        let hidden = painted.is_hidden([x, y, z]);
         let font = Font::Small;
         let size = [
             to_f64(width(&mark.label, font)) + 2.0,
@@ -118,7 +132,7 @@ pub(crate) fn marks(canvas: &mut Canvas, camera: &Camera, marks: &[Mark]) -> (Ve
                     text: mark.label.clone(),
                     at: [whole(place[0] + 1.0), whole(place[1])],
                     font,
-                    color: TEXT,
+                    color: if hidden { HIDDEN } else { TEXT },
                     boxed: true,
                 });
             }
@@ -150,7 +164,7 @@ pub(crate) fn world(canvas: &mut Canvas, camera: &Camera) -> Vec<Label> {
         if d[0].abs() + d[1].abs() < 1.0 {
             continue;
         }
-        axis(canvas, origin, d, color, 1.8);
+        axis(canvas, origin, d, color, (1.8, 1.0));
         let tip = [origin[0] + d[0] * 1.32, origin[1] + d[1] * 1.32];
         labels.push(Label {
             text: name.to_owned(),

@@ -14,6 +14,9 @@ pub(crate) const PAPER: Rgb = [255, 255, 255];
 /// Edges and outlines.
 const INK: Rgb = [28, 30, 34];
 
+/// What is wrong stands out by this colour, which no part should have: red, green, blue from 0 to 1.
+pub const ALARM: [f64; 3] = [0.90, 0.08, 0.10];
+
 /// Surroundings that are only shown for orientation.
 const GHOST: Rgb = [168, 172, 178];
 
@@ -23,14 +26,36 @@ const EDGE: usize = 2;
 /// The step in depth, in fine pixels beyond what a plane has, that shows as an outline within a body.
 const STEP: f32 = 8.0;
 
+/// A point in a face is not behind it: so many pixels are rounding.
+const BEHIND: f64 = 2.0;
+
 /// Where the light comes from: right, up, towards the viewer.
 const LIGHT: [f64; 3] = [-0.36, 0.72, 0.593];
 
 /// Looks in the order in which they are drawn; each has a layer of its own.
 const LOOKS: [Look; 3] = [Look::Solid, Look::Glass, Look::Ghost];
 
-/// Draws the bodies as the camera sees them, at [`FINE`] times its panel's size.
-pub(crate) fn bodies(bodies: &[Body], camera: &Camera, width: usize, height: usize) -> Canvas {
+/// The bodies, drawn at [`FINE`] times the panel's size.
+pub(crate) struct Painted {
+    pub(crate) canvas: Canvas,
+    /// The opaque bodies and their depths; none where there are none.
+    solid: Option<Layer>,
+}
+
+impl Painted {
+    /// Whether a point, as the camera projects it, lies behind an opaque body.
+    pub(crate) fn is_hidden(&self, [x, y, depth]: [f64; 3]) -> bool {
+        let fine = to_f64(FINE);
+        let there = self
+            .solid
+            .as_ref()
+            .and_then(|l| l.depth_at(x * fine, y * fine));
+        there.is_some_and(|there| there > (depth + BEHIND) * fine)
+    }
+}
+
+/// Draws the bodies as the camera sees them.
+pub(crate) fn bodies(bodies: &[Body], camera: &Camera, width: usize, height: usize) -> Painted {
     let mut layers = Vec::new();
     for look in LOOKS {
         if bodies.iter().any(|b| b.look == look) {
@@ -38,6 +63,7 @@ pub(crate) fn bodies(bodies: &[Body], camera: &Camera, width: usize, height: usi
             for (number, body) in (1..).zip(bodies).filter(|(_, b)| b.look == look) {
                 faces(&mut layer, body, number, camera);
             }
+            layer.drop_slivers();
             for (number, body) in (1..).zip(bodies).filter(|(_, b)| b.look == look) {
                 edges(&mut layer, body, number, camera);
             }
@@ -45,7 +71,12 @@ pub(crate) fn bodies(bodies: &[Body], camera: &Camera, width: usize, height: usi
             layers.push((look, layer));
         }
     }
-    composed(&layers, bodies, width * FINE, height * FINE)
+    let canvas = composed(&layers, bodies, width * FINE, height * FINE);
+    let solid = layers.into_iter().find(|(look, _)| *look == Look::Solid);
+    Painted {
+        canvas,
+        solid: solid.map(|(_, layer)| layer),
+    }
 }
 
 fn fine(camera: &Camera, p: [f64; 3]) -> [f64; 3] {
@@ -175,6 +206,7 @@ fn colored(texel: Texel, look: Look, own: Rgb, x: usize, y: usize) -> (Rgb, f64)
         (Look::Solid, Kind::Line) => (mix(own, INK, 0.88), 1.0),
         (Look::Ghost, Kind::Line) => (GHOST, 0.8),
         (Look::Ghost, _) => (lit(GHOST), 0.22),
+        (_, Kind::Both) => (rgb(ALARM), 1.0),
         (_, Kind::Cut) => {
             // Cut material is hatched at 45 degrees, neighbours the other way.
             let place = if texel.body.is_multiple_of(2) {
@@ -186,7 +218,7 @@ fn colored(texel: Texel, look: Look, own: Rgb, x: usize, y: usize) -> (Rgb, f64)
             let light = mix(own, PAPER, 0.35);
             (if hatch { mix(own, INK, 0.6) } else { light }, 1.0)
         }
-        (Look::Glass, Kind::Face) => (lit(own), 0.38),
+        (Look::Glass, Kind::Face) => (lit(own), 0.45),
         (Look::Glass, Kind::Line) => (mix(own, INK, 0.8), 0.85),
     }
 }

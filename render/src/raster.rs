@@ -19,6 +19,8 @@ pub(crate) enum Kind {
     Face,
     /// Material that was cut.
     Cut,
+    /// Material of two bodies in one place that was cut.
+    Both,
     /// An edge or an outline.
     Line,
 }
@@ -32,6 +34,15 @@ pub(crate) struct Layer {
     pub(crate) depth: Vec<f32>,
     pub(crate) texels: Vec<Texel>,
 }
+
+impl Texel {
+    fn is_cut_of_another(self, body: u16) -> bool {
+        self.body != body && matches!(self.kind, Kind::Cut | Kind::Both)
+    }
+}
+
+/// Cut faces whose depths differ by less, in pixels, are in one plane.
+const LEVEL: f32 = 0.05;
 
 /// A corner of a triangle: pixels from the left, from the top, towards the viewer; brightness 0 to 255.
 pub(crate) type Corner = [f64; 4];
@@ -96,7 +107,10 @@ impl Layer {
             for (at, texel) in depths.iter_mut().zip(texels) {
                 // A triangle seen almost edge-on has slopes that lead out of it.
                 let near = narrow(depth.clamp(z_low, z_high));
-                if near > *at {
+                if kind == Kind::Cut && texel.is_cut_of_another(body) && (near - *at).abs() < LEVEL
+                {
+                    texel.kind = Kind::Both;
+                } else if near > *at {
                     *at = near;
                     *texel = Texel {
                         body,
@@ -157,6 +171,47 @@ impl Layer {
                 }
             }
         }
+    }
+
+    /// Takes back what is cut twice but nowhere wider than four pixels: where round parts fit, the
+    /// corners of their triangles reach into each other by less than that.
+    pub(crate) fn drop_slivers(&mut self) {
+        let both = |texels: &[Texel], x: usize, y: usize| {
+            let at = (x < self.width).then(|| texels.get(y * self.width + x));
+            at.flatten().is_some_and(|t| t.kind == Kind::Both)
+        };
+        let mut kept = vec![false; self.texels.len()];
+        let mut found = Vec::new();
+        for y in 0..self.height {
+            for x in 0..self.width {
+                if !both(&self.texels, x, y) {
+                    continue;
+                }
+                found.push(y * self.width + x);
+                let square = || (0..5).flat_map(|dy| (0..5).map(move |dx| (dx, dy)));
+                // The square of five by five pixels with this one at its corner.
+                if square().all(|(dx, dy)| both(&self.texels, x + dx, y + dy)) {
+                    for (dx, dy) in square() {
+                        if let Some(kept) = kept.get_mut((y + dy) * self.width + x + dx) {
+                            *kept = true;
+                        }
+                    }
+                }
+            }
+        }
+        for i in found {
+            if !kept.get(i).copied().unwrap_or_default()
+                && let Some(texel) = self.texels.get_mut(i)
+            {
+                texel.kind = Kind::Cut;
+            }
+        }
+    }
+
+    /// How near the body is that is seen at a place; none where nothing is.
+    pub(crate) fn depth_at(&self, x: f64, y: f64) -> Option<f64> {
+        let depth = self.depth.get(self.index(x.floor(), y.floor())?)?;
+        depth.is_finite().then_some(f64::from(*depth))
     }
 
     fn index(&self, x: f64, y: f64) -> Option<usize> {

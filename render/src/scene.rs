@@ -15,7 +15,8 @@ pub struct Surface {
     pub normals: Vec<[f64; 3]>,
     /// Three nodes each.
     pub triangles: Vec<[u32; 3]>,
-    /// Which triangles show cut material, and are hatched; none where it is empty.
+    /// Which triangles show cut material; none where it is empty. It is hatched, and where two bodies were
+    /// cut in one place it has the colour [`crate::ALARM`].
     pub cut: Vec<bool>,
     /// The edges that are drawn.
     pub edges: Vec<Chain>,

@@ -60,24 +60,37 @@ pub fn draw(sheet: &Sheet) -> Result<Picture, RenderError> {
     let rows = Rows::of(sheet, width, height);
     let above = height - rows.height();
     let (across, down) = grid(sheet.panels.len());
-    let mut shown = Vec::new();
-    let mut labels_left_out = 0;
+    let mut placed = Vec::new();
     for (i, panel) in sheet.panels.iter().enumerate() {
         let (column, row) = (i % across, i / across);
         // The borders are rounded as a whole, so that no row of pixels stays empty.
         let (left, right) = (width * column / across, width * (column + 1) / across);
         let (top, bottom) = (above * row / down, above * (row + 1) / down);
         let size = [right - left, bottom - top];
-        let (drawn, camera, left_out) = one(panel, size)?;
+        let camera = Camera::over(&panel.eye, &panel.bodies, size.map(to_f64))?;
+        placed.push((panel, camera, [left, top], size));
+    }
+    // Views of the whole have one scale on one sheet, as on a drawing.
+    let whole = |panel: &Panel| panel.eye.aim.is_none();
+    let least = placed
+        .iter()
+        .filter(|(panel, ..)| whole(panel))
+        .map(|(_, camera, ..)| camera.px_per_mm)
+        .fold(f64::INFINITY, f64::min);
+    let mut shown = Vec::new();
+    let mut labels_left_out = 0;
+    for (panel, mut camera, [left, top], size) in placed {
+        if whole(panel) {
+            camera.px_per_mm = least;
+        }
+        let (drawn, left_out) = one(panel, &camera, size);
         canvas.put(&drawn, left, top);
         labels_left_out += left_out;
-        for (line, at) in [
-            (column > 0, [left, top, 1, size[1]]),
-            (row > 0, [left, top, size[0], 1]),
-        ] {
-            if line {
-                canvas.fill(at, TEXT, 0.3);
-            }
+        if left > 0 {
+            canvas.fill([left, top, 1, size[1]], TEXT, 0.3);
+        }
+        if top > 0 {
+            canvas.fill([left, top, size[0], 1], TEXT, 0.3);
         }
         shown.push(Shown {
             camera,
@@ -106,18 +119,17 @@ fn grid(panels: usize) -> (usize, usize) {
     (across, panels.div_ceil(across))
 }
 
-/// One panel at its size, its camera, and how many labels have no place.
-fn one(panel: &Panel, [width, height]: [usize; 2]) -> Result<(Canvas, Camera, usize), RenderError> {
-    let camera = Camera::over(&panel.eye, &panel.bodies, [to_f64(width), to_f64(height)])?;
-    let mut fine = paint::bodies(&panel.bodies, &camera, width, height);
-    let (mut labels, left_out) = overlay::marks(&mut fine, &camera, &panel.marks);
-    labels.extend(overlay::world(&mut fine, &camera));
-    labels.extend(overlay::scale(&mut fine, &camera));
-    let mut canvas = fine.halved();
+/// One panel at its size, and how many labels have no place.
+fn one(panel: &Panel, camera: &Camera, [width, height]: [usize; 2]) -> (Canvas, usize) {
+    let mut painted = paint::bodies(&panel.bodies, camera, width, height);
+    let (mut labels, left_out) = overlay::marks(&mut painted, camera, &panel.marks);
+    labels.extend(overlay::world(&mut painted.canvas, camera));
+    labels.extend(overlay::scale(&mut painted.canvas, camera));
+    let mut canvas = painted.canvas.halved();
     for label in labels {
         label.write(&mut canvas);
     }
     let title = fitting(&panel.title, Font::Bold, width.saturating_sub(20));
     canvas.text(&title, [10, 8], Font::Bold, TEXT);
-    Ok((canvas, camera, left_out))
+    (canvas, left_out)
 }

@@ -3,7 +3,7 @@
 use core::convert::Infallible;
 
 use embedded_graphics::Pixel;
-use embedded_graphics::mono_font::ascii::{FONT_6X10, FONT_7X13, FONT_8X13_BOLD};
+use embedded_graphics::mono_font::ascii::{FONT_6X12, FONT_7X13, FONT_8X13_BOLD};
 use embedded_graphics::mono_font::{MonoFont, MonoTextStyle};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::prelude::{DrawTarget, Drawable, OriginDimensions, Point, Size};
@@ -25,7 +25,7 @@ pub(crate) enum Font {
 impl Font {
     fn mono(self) -> &'static MonoFont<'static> {
         match self {
-            Self::Small => &FONT_6X10,
+            Self::Small => &FONT_6X12,
             Self::Normal => &FONT_7X13,
             Self::Bold => &FONT_8X13_BOLD,
         }

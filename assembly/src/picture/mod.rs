@@ -14,7 +14,7 @@ use assemcad_render::{Eye, LEAST_PX, MOST_PANELS, MOST_PX, RenderError, Shown, V
 use serde_json::json;
 
 use crate::store::file_of;
-use crate::{Faults, Workshop};
+use crate::{Faults, Workshop, partial};
 
 /// From where an assembly is seen.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -94,17 +94,7 @@ impl Workshop {
     pub async fn draw(&self, id: &str, wanted: &Wanted) -> Result<Drawn, Faults> {
         check(wanted)?;
         let spec = self.store.load(id).map_err(|d| vec![d])?;
-        if spec.parts.is_empty() {
-            return Err(vec![
-                Diagnostic::error(
-                    Code::AssemblyEmpty,
-                    "assembly",
-                    format!("'{id}' has no parts"),
-                )
-                .next("list_factories", json!({})),
-            ]);
-        }
-        let part = crate::partial::of(self, &spec).await?;
+        let part = partial::of(self, &spec).await?;
         let scene = self.scene(&spec, &part, wanted).await?;
         let sheet = scene.sheet;
         let drawing = sheet.clone();

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use assemcad_kernel::protocol::{Instance, Product};
 use assemcad_model::report::rounded;
 use assemcad_model::spec::Assembly;
-use assemcad_render::{Body, Entry, Look, Mark, Panel, Sheet};
+use assemcad_render::{ALARM, Body, Entry, Look, Mark, Panel, Sheet};
 use futures::future::join_all;
 
 use super::bodies::{Common, Found, Side, Solids, shifted};
@@ -14,9 +14,6 @@ use crate::build::{Box3, box_of};
 use crate::partial::{Partial, nowhere};
 use crate::resolve::part_unknown;
 use crate::{Faults, Workshop, export};
-
-/// What is wrong stands out by this colour, which no part has.
-const ALARM: [f64; 3] = [0.90, 0.08, 0.10];
 
 /// The colour of the second of two equal parts that stand out.
 const OTHER: [f64; 3] = [0.80, 0.62, 0.33];
@@ -103,7 +100,7 @@ impl Workshop {
             width: wanted.width,
             height: wanted.height,
             panels,
-            legend: legend(&solids, pair.as_ref()),
+            legend: legend(&solids, pair.as_ref(), wanted.section.is_some()),
             notes,
         };
         Ok(Scene { sheet, missing })
@@ -258,7 +255,7 @@ fn marks(
     out
 }
 
-fn legend(solids: &Solids<'_>, pair: Option<&Pair>) -> Vec<Entry> {
+fn legend(solids: &Solids<'_>, pair: Option<&Pair>, cut: bool) -> Vec<Entry> {
     let shown = |i: &usize| solids.boxes.get(*i).is_some_and(Option::is_some);
     let name = |i: usize| {
         solids
@@ -312,7 +309,12 @@ fn legend(solids: &Solids<'_>, pair: Option<&Pair>) -> Vec<Entry> {
             label: words::list(&names, 3),
         })
     };
-    solids.products.iter().enumerate().filter_map(of).collect()
+    let overlap = cut.then(|| Entry {
+        color: ALARM,
+        label: "material of two parts in one place".to_owned(),
+    });
+    let products = solids.products.iter().enumerate();
+    products.filter_map(of).chain(overlap).collect()
 }
 
 /// How far triangles may be from the surface, in mm: a share of a pixel, in steps so that pictures of
