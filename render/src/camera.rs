@@ -98,7 +98,7 @@ const SIDE: (f64, f64) = (28.0, 0.08);
 const ABOVE: (f64, f64) = (30.0, 0.12);
 
 /// The same at the bottom, where axes and scale are.
-const BELOW: (f64, f64) = (50.0, 0.18);
+const BELOW: (f64, f64) = (60.0, 0.18);
 
 fn border((px, share): (f64, f64), side: f64) -> f64 {
     px.min(share * side)

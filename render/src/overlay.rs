@@ -22,8 +22,14 @@ const FAINT: f64 = 0.4;
 /// The length of a frame's axes in pixels: of ports, and of parts.
 const AXIS: [f64; 2] = [22.0, 40.0];
 
-/// The length of the world's axes in the corner, and how far they are from it, in pixels.
-const CORNER: [f64; 2] = [24.0, 38.0];
+/// The length of the world's axes in the corner, in pixels.
+const CORNER: f64 = 20.0;
+
+/// Where an axis has its name, as a multiple of its length.
+const NAME: f64 = 1.35;
+
+/// How far axes and names stay from the corner, in pixels.
+const FREE: f64 = 16.0;
 
 /// A text and the upper left corner of its place, in pixels of the picture.
 pub(crate) struct Label {
@@ -144,7 +150,6 @@ pub(crate) fn marks(painted: &mut Painted, camera: &Camera, marks: &[Mark]) -> (
 
 /// Draws the world's axes into the lower left corner of the fine canvas.
 pub(crate) fn world(canvas: &mut Canvas, camera: &Camera) -> Vec<Label> {
-    let origin = [CORNER[1], camera.size[1] - CORNER[1]];
     let mut labels = Vec::new();
     let axes = [
         ("x", [1.0, 0.0, 0.0]),
@@ -158,14 +163,23 @@ pub(crate) fn world(canvas: &mut Canvas, camera: &Camera) -> Vec<Label> {
         .map(|((name, d), color)| (*name, camera.turn(*d), color))
         .collect();
     order.sort_by(|a, b| a.1[2].total_cmp(&b.1[2]));
+    // As near to the corner as the axes that point there allow.
+    let reach = |way: fn(&[f64; 3]) -> f64| {
+        let all = order.iter().map(|(_, d, _)| CORNER * NAME * way(d));
+        all.fold(0.0, f64::max)
+    };
+    let origin = [
+        FREE + reach(|d| -d[0]),
+        camera.size[1] - FREE - reach(|d| -d[1]),
+    ];
     for (name, [right, up, _], color) in order {
-        let d = [CORNER[0] * right, -CORNER[0] * up];
+        let d = [CORNER * right, -CORNER * up];
         // An axis that is seen end-on has no direction in the picture.
         if d[0].abs() + d[1].abs() < 1.0 {
             continue;
         }
         axis(canvas, origin, d, color, (1.8, 1.0));
-        let tip = [origin[0] + d[0] * 1.32, origin[1] + d[1] * 1.32];
+        let tip = [origin[0] + d[0] * NAME, origin[1] + d[1] * NAME];
         labels.push(Label {
             text: name.to_owned(),
             at: [whole(tip[0] - 3.5), whole(tip[1] - 7.0)],

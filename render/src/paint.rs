@@ -174,8 +174,10 @@ fn outlines(layer: &mut Layer) {
 fn composed(layers: &[(Look, Layer)], bodies: &[Body], width: usize, height: usize) -> Canvas {
     let mut canvas = Canvas::new(width, height, PAPER);
     let colors: Vec<Rgb> = bodies.iter().map(|b| rgb(b.color)).collect();
+    // One list for all pixels: a picture has millions.
+    let mut seen: Vec<(f32, Look, Texel)> = Vec::with_capacity(LOOKS.len());
     for (i, pixel) in canvas.pixels.iter_mut().enumerate() {
-        let mut seen: Vec<(f32, Look, Texel)> = Vec::new();
+        seen.clear();
         for (look, layer) in layers {
             if let (Some(depth), Some(texel)) = (layer.depth.get(i), layer.texels.get(i))
                 && texel.body != 0
@@ -185,10 +187,10 @@ fn composed(layers: &[(Look, Layer)], bodies: &[Body], width: usize, height: usi
         }
         seen.sort_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
         let (x, y) = (i % width.max(1), i / width.max(1));
-        for (_, look, texel) in seen {
+        for (_, look, texel) in &seen {
             let body = usize::from(texel.body) - 1;
             let own = colors.get(body).copied().unwrap_or(GHOST);
-            let (color, share) = colored(texel, look, own, x, y);
+            let (color, share) = colored(*texel, *look, own, x, y);
             *pixel = mix(*pixel, color, share);
         }
     }
