@@ -307,6 +307,21 @@ fn what_is_missing_is_said_and_the_rest_is_drawn() {
     let note = |p: [u8; 3]| p == [168, 20, 20];
     let below = [0.0, 700.0, 1024.0, 68.0];
     assert!(without.share(below, note) > 0.0 && whole.share(below, note) == 0.0);
+    // A part that cannot be made, as in a specification from elsewhere.
+    let file = kit.file("assemblies/a/assembly.yaml");
+    let text = std::fs::read_to_string(&file).unwrap();
+    assert!(text.contains("size: 12"), "{text}");
+    std::fs::write(&file, text.replace("size: 12", "size: 1200")).unwrap();
+    let unmade = render(&mut kit, front_close(json!({})));
+    assert!(
+        unmade
+            .caption
+            .contains("not shown: lost: it could not be made"),
+        "{}",
+        unmade.caption
+    );
+    assert!(unmade.pixels[..640 * 1024] == without.pixels[..640 * 1024]);
+    std::fs::write(&file, text).unwrap();
     let d = kit.refusal(
         "render",
         json!({"assembly": "a", "highlight": ["base", "lost"]}),
@@ -434,5 +449,41 @@ fn the_server_lists_the_tool_without_a_schema_of_its_answer() {
             "{}",
             tool["name"]
         );
+    }
+}
+
+/// How long pictures take: the first one has its triangles made, the next one finds them in the worker.
+#[test]
+#[ignore = "prints figures for docs/measurements.md"]
+fn timings() {
+    let mut kit = Kit::with(&["--workers", "1"]);
+    kit.whole_stand("stand");
+    kit.new_assembly("gears");
+    for (part, teeth) in [("pinion", 20), ("wheel", 40)] {
+        kit.part(
+            "gears",
+            part,
+            "gear.spur",
+            json!({"module": 2, "teeth": teeth, "width": 15}),
+        );
+    }
+    kit.mate(json!({
+        "assembly": "gears", "id": "m", "mate_type": "gear_mesh",
+        "base": "pinion:mesh_point", "incoming": "wheel:mesh_point",
+    }));
+    for call in [
+        json!({"assembly": "stand"}),
+        json!({"assembly": "stand", "section_axis": "x"}),
+        json!({"assembly": "stand", "views": ["isometric", "front", "right", "top"], "width_px": 2000, "height_px": 2000}),
+        json!({"assembly": "gears"}),
+    ] {
+        let took: Vec<String> = (0..3)
+            .map(|_| {
+                let start = std::time::Instant::now();
+                let size = render(&mut kit, call.clone()).png.len();
+                format!("{:.2} s, {size} bytes", start.elapsed().as_secs_f64())
+            })
+            .collect();
+        println!("{call}: {}", took.join("; "));
     }
 }

@@ -36,7 +36,8 @@ list_factories and describe_factory tell parameters and ports, find_axioms the e
 each mate cites and verify checks.\n\
 The fine-grained tools (new_assembly, add_part, mate, remove, verify, export_step) are for changes to \
 what is there. Every change is on disk when it is answered; assemblies of earlier sessions are there \
-(list_assemblies, get_assembly).\n\
+(list_assemblies, get_assembly). Look at what was built: render draws it, measure tells distances, \
+angles, boxes, masses.\n\
 Units: millimetres and degrees. A port's z points out of the material: a face's outward normal, a \
 hole's way out of its mouth, a shaft's way out of its end. Tools write ports as part:port.\n\
 A call that cannot be done answers with diagnostics, each with the place, the value found, the values \

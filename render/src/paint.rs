@@ -3,7 +3,7 @@
 use crate::camera::Camera;
 use crate::canvas::{Canvas, Rgb, mix, rgb};
 use crate::raster::{Corner, Kind, Layer, Texel, byte, to_f64};
-use crate::scene::{Body, Look};
+use crate::scene::{Body, Look, Panel};
 
 /// How many times finer than the picture its bodies are drawn, each way.
 pub(crate) const FINE: usize = 2;
@@ -55,7 +55,8 @@ impl Painted {
 }
 
 /// Draws the bodies as the camera sees them.
-pub(crate) fn bodies(bodies: &[Body], camera: &Camera, width: usize, height: usize) -> Painted {
+pub(crate) fn bodies(panel: &Panel, camera: &Camera, width: usize, height: usize) -> Painted {
+    let bodies = panel.bodies.as_slice();
     let mut layers = Vec::new();
     for look in LOOKS {
         if bodies.iter().any(|b| b.look == look) {
@@ -63,7 +64,7 @@ pub(crate) fn bodies(bodies: &[Body], camera: &Camera, width: usize, height: usi
             for (number, body) in (1..).zip(bodies).filter(|(_, b)| b.look == look) {
                 faces(&mut layer, body, number, camera);
             }
-            layer.drop_slivers();
+            layer.settle_overlaps(panel.in_place);
             for (number, body) in (1..).zip(bodies).filter(|(_, b)| b.look == look) {
                 edges(&mut layer, body, number, camera);
             }

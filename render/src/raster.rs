@@ -174,8 +174,9 @@ impl Layer {
     }
 
     /// Takes back what is cut twice but nowhere wider than four pixels: where round parts fit, the
-    /// corners of their triangles reach into each other by less than that.
-    pub(crate) fn drop_slivers(&mut self) {
+    /// corners of their triangles reach into each other by less than that. All of it where `meant` says
+    /// that it is none.
+    pub(crate) fn settle_overlaps(&mut self, meant: bool) {
         let both = |texels: &[Texel], x: usize, y: usize| {
             let at = (x < self.width).then(|| texels.get(y * self.width + x));
             at.flatten().is_some_and(|t| t.kind == Kind::Both)
@@ -190,7 +191,7 @@ impl Layer {
                 found.push(y * self.width + x);
                 let square = || (0..5).flat_map(|dy| (0..5).map(move |dx| (dx, dy)));
                 // The square of five by five pixels with this one at its corner.
-                if square().all(|(dx, dy)| both(&self.texels, x + dx, y + dy)) {
+                if meant && square().all(|(dx, dy)| both(&self.texels, x + dx, y + dy)) {
                     for (dx, dy) in square() {
                         if let Some(kept) = kept.get_mut((y + dy) * self.width + x + dx) {
                             *kept = true;

@@ -73,6 +73,8 @@ pub struct Panel {
     pub bodies: Vec<Body>,
     /// The frames.
     pub marks: Vec<Mark>,
+    /// Whether the solids are where they belong: drawn apart, what lies in one place is no overlap.
+    pub in_place: bool,
 }
 
 /// A line of the legend.

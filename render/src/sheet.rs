@@ -121,7 +121,7 @@ fn grid(panels: usize) -> (usize, usize) {
 
 /// One panel at its size, and how many labels have no place.
 fn one(panel: &Panel, camera: &Camera, [width, height]: [usize; 2]) -> (Canvas, usize) {
-    let mut painted = paint::bodies(&panel.bodies, camera, width, height);
+    let mut painted = paint::bodies(panel, camera, width, height);
     let (mut labels, left_out) = overlay::marks(&mut painted, camera, &panel.marks);
     labels.extend(overlay::world(&mut painted.canvas, camera));
     labels.extend(overlay::scale(&mut painted.canvas, camera));

@@ -73,6 +73,7 @@ fn panel(eye: Eye, bodies: Vec<Body>) -> Panel {
         eye,
         bodies,
         marks: Vec::new(),
+        in_place: true,
     }
 }
 
@@ -282,6 +283,11 @@ fn cut_material_is_hatched_and_twofold_material_is_red() {
             / all.iter().filter(|p| strip(p)).count() as f64;
         assert!((0.05..0.4).contains(&share), "{share}");
     }
+    // Drawn apart, what lies in one place is no overlap.
+    let mut apart = panel(View::Top.eye(), vec![left.clone(), right(10.0)]);
+    apart.in_place = false;
+    let apart = draw(&sheet(vec![apart])).unwrap();
+    assert_eq!(pixels(&apart, like(ALARM)), []);
     // Side by side nothing is red, nor where they reach into each other by less than a pixel.
     for from in [20.0, 19.98] {
         let picture = seen(View::Top, vec![left.clone(), right(from)]);

@@ -84,6 +84,7 @@ impl Workshop {
                 eye: camera.eye(),
                 bodies,
                 marks: marks(&solids, &moved, wanted, pair.as_ref()),
+                in_place: wanted.explode == 0.0,
             });
         }
         for (found, instance) in drawn.values().flatten().zip(instances.iter().cycle()) {
@@ -96,11 +97,12 @@ impl Workshop {
         }
         let mut notes = words::notes(&missing);
         notes.extend(pair.iter().filter_map(|p| p.unknown.clone()));
+        let overlaps = wanted.section.is_some() && wanted.explode == 0.0;
         let sheet = Sheet {
             width: wanted.width,
             height: wanted.height,
             panels,
-            legend: legend(&solids, pair.as_ref(), wanted.section.is_some()),
+            legend: legend(&solids, pair.as_ref(), overlaps),
             notes,
         };
         Ok(Scene { sheet, missing })
@@ -311,7 +313,7 @@ fn legend(solids: &Solids<'_>, pair: Option<&Pair>, cut: bool) -> Vec<Entry> {
     };
     let overlap = cut.then(|| Entry {
         color: ALARM,
-        label: "material of two parts in one place".to_owned(),
+        label: "overlap, where any".to_owned(),
     });
     let products = solids.products.iter().enumerate();
     products.filter_map(of).chain(overlap).collect()

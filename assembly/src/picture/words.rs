@@ -64,9 +64,13 @@ pub(super) fn caption(
     let entries: Vec<String> = sheet.legend.iter().map(|e| e.label.clone()).collect();
     lines.push(format!("Legend: {}.", entries.join("; ")));
     if wanted.section.is_some() {
-        lines.push("The side of the viewer is cut away; cut material is hatched, and red where two parts are in \
-             one place (by more than about two pixels)."
-                .to_owned());
+        lines.push("The viewer's side is cut away; cut material is hatched.".to_owned());
+    }
+    if wanted.section.is_some() && wanted.explode == 0.0 {
+        lines.push(
+            "Red is material of two parts in one place, where it is wider than about two pixels."
+                .to_owned(),
+        );
     }
     for note in &sheet.notes {
         lines.push(format!("{note}."));
