@@ -49,11 +49,14 @@ impl Workshop {
         let mut missing = part.missing.clone();
         let built = join_all(resolved.parts.iter().map(|p| self.build(p))).await;
         let mut boxes: Vec<Option<Box3>> = Vec::new();
-        for (i, found) in built.iter().enumerate() {
-            let at = part.placed.of(i);
-            boxes.push(match (found, at) {
+        for (i, (found, of)) in built.iter().zip(&resolved.parts).enumerate() {
+            boxes.push(match (found, part.placed.of(i)) {
                 (Ok(b), Some(at)) => Some(box_of(b, &at)),
-                _ => None,
+                (Ok(_), None) => None,
+                (Err(d), _) => {
+                    missing.push(format!("{}: {}", of.id, d.message));
+                    None
+                }
             });
         }
         let (products, instances) = export::tree(resolved).map_err(|d| vec![d])?;
@@ -87,12 +90,13 @@ impl Workshop {
                 in_place: wanted.explode == 0.0,
             });
         }
+        // Each list has all parts, in their order.
         for (found, instance) in drawn.values().flatten().zip(instances.iter().cycle()) {
-            if let Err(d) = found {
-                let text = format!("{}: {}", instance.name, d.message);
-                if !missing.contains(&text) {
-                    missing.push(text);
-                }
+            let known = |m: &String| m.starts_with(&format!("{}: ", instance.name));
+            if let Err(d) = found
+                && !missing.iter().any(known)
+            {
+                missing.push(format!("{}: {}", instance.name, d.message));
             }
         }
         let mut notes = words::notes(&missing);
