@@ -1,5 +1,5 @@
 # The two commands of the README: `make demo` and `make test`. Both set up what they need.
-.PHONY: setup demo test test-factories peers-cadquery lint clean
+.PHONY: setup demo test test-factories fuzz peers-cadquery lint clean
 CARGO ?= cargo
 
 demo: setup
@@ -12,6 +12,12 @@ test: setup
 # Every built-in factory at two hundred random parameter sets, and gears at all corners of their ranges.
 test-factories: setup
 	$(CARGO) test --quiet -p assemcad-factories --test parts -- --ignored --skip timings
+
+# Sources made worse at random, for so many seconds from so many different seeds: `make fuzz SECONDS=600 SEED=7`.
+SECONDS ?= 120
+SEED ?= 1000000
+fuzz: setup
+	ASSEMCAD_FUZZ_SECONDS=$(SECONDS) ASSEMCAD_FUZZ_SEED=$(SEED) $(CARGO) test --quiet -p assemcad-script --test fuzz -- --nocapture
 
 # The language held against CadQuery itself, in a Python environment of its own: the scripts keep to what
 # both have, CadQuery still gives what is recorded, and so does the language.

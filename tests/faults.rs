@@ -158,6 +158,45 @@ fn a_request_that_allocates_without_end() {
 }
 
 #[test]
+fn recipes_of_a_size_that_nobody_needs() {
+    let options = [
+        "--worker-wall-s",
+        "4",
+        "--worker-cpu-s",
+        "4",
+        "--worker-memory-mb",
+        "1024",
+    ];
+    let mut kit = kit(&options);
+    let limits = ["worker_timeout", "worker_cpu_limit", "worker_memory_limit"];
+    let d = kit.refusal("add_part", add("helix", "test.long_helix"));
+    assert_eq!(d["code"], "kernel_failed");
+    assert!(
+        d["message"].as_str().unwrap().contains("10000 turns"),
+        "{d}"
+    );
+    let arguments = |part: &str, factory: &str, params: Value| json!({"assembly": "a", "part": part, "factory": factory, "params": params});
+    for heavy in [
+        arguments("helix", "test.long_helix", json!({"turns": 1000})),
+        arguments("bar", "test.many_fillets", json!({})),
+    ] {
+        let start = Instant::now();
+        let d = kit.refusal("add_part", heavy);
+        assert!(limits.contains(&d["code"].as_str().unwrap()), "{d}");
+        assert!(start.elapsed() < Duration::from_secs(30), "{d}");
+    }
+    // What is wrong with them is their size alone.
+    kit.ok(
+        "add_part",
+        arguments("helix", "test.long_helix", json!({"turns": 2})),
+    );
+    kit.ok(
+        "add_part",
+        arguments("bar", "test.many_fillets", json!({"corners": 6})),
+    );
+}
+
+#[test]
 fn an_operation_that_the_kernel_cannot_do() {
     let mut kit = kit(&[]);
     for radius in [5.0, 6.0] {

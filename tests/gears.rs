@@ -52,7 +52,9 @@ impl Gear {
     pub fn built(&self) -> (Shape, Vec<Port>) {
         let params = self.params();
         let built = Registry::builtin()
-            .build("gear.spur", params.as_object().unwrap())
+            .get("gear.spur")
+            .unwrap()
+            .build(params.as_object().unwrap())
             .unwrap();
         let part = replay(&built.recipe, &mut |_, _| ()).unwrap();
         (part.solid, part.ports)

@@ -1,6 +1,7 @@
 //! Scripted sessions over the real protocol, against a server of their own each.
 #![cfg(test)]
 
+mod admission;
 mod axioms;
 mod bad_input;
 mod bolted;
@@ -19,5 +20,7 @@ mod pictures;
 mod ports;
 mod realize;
 mod refusals;
+mod script_workers;
 mod sessions;
+mod synthesis;
 mod verification;

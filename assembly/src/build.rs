@@ -1,6 +1,7 @@
 //! Parts made and measured by the kernel's workers.
 
-use assemcad_kernel::protocol::{Built, Failure, FailureKind, Job, Reply};
+pub use assemcad_factories::failure::{diagnostic, failed_in};
+use assemcad_kernel::protocol::{Built, Failure, Job, Reply};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::frame::Placement;
 use assemcad_model::recipe::Recipe;
@@ -69,62 +70,6 @@ pub fn reported((min, max): &Box3) -> [[f64; 3]; 2] {
 #[must_use]
 pub fn part_failure(failure: &Failure, part: &ResolvedPart) -> Diagnostic {
     failed_in(failure, Some(&part.id), &part.factory, &part.made.lines)
-}
-
-/// The same where the part may not be there yet.
-#[must_use]
-pub(crate) fn failed_in(
-    failure: &Failure,
-    part: Option<&str>,
-    factory: &str,
-    lines: &[u32],
-) -> Diagnostic {
-    let step = failure.doing.as_ref().and_then(|d| d.step);
-    let line = step
-        .and_then(|s| lines.get(s))
-        .map(|l| format!(", line {l}"));
-    let part = part.map(|id| format!("part '{id}', ")).unwrap_or_default();
-    let place = format!("{part}factory {factory}{}", line.unwrap_or_default());
-    diagnostic(failure, &place)
-}
-
-/// A failure of the kernel or its worker as a diagnostic.
-#[must_use]
-pub fn diagnostic(failure: &Failure, place: &str) -> Diagnostic {
-    let doing = failure
-        .doing
-        .as_ref()
-        .map(|d| format!("in {d}: "))
-        .unwrap_or_default();
-    let message = format!("{doing}{}", failure.message);
-    let (code, hint) = match failure.kind {
-        FailureKind::Kernel => (Code::KernelFailed, None),
-        FailureKind::Memory => (
-            Code::WorkerMemoryLimit,
-            Some("make the geometry simpler, or start the server with a larger --worker-memory-mb"),
-        ),
-        FailureKind::Cpu => (
-            Code::WorkerCpuLimit,
-            Some("make the geometry simpler, or start the server with a larger --worker-cpu-s"),
-        ),
-        FailureKind::Wall => (
-            Code::WorkerTimeout,
-            Some("make the geometry simpler, or start the server with a larger --worker-wall-s"),
-        ),
-        FailureKind::Crash => (
-            Code::WorkerCrashed,
-            Some(
-                "the worker was replaced and nothing was lost; if the same call fails again, \
-                  change the parameters of this operation",
-            ),
-        ),
-        FailureKind::Worker => (Code::WorkerFailed, None),
-    };
-    let d = Diagnostic::error(code, place, message);
-    match hint {
-        Some(hint) => d.hint(hint),
-        None => d,
-    }
 }
 
 /// A worker's answer to another question: a fault of the server.

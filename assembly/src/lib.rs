@@ -19,8 +19,10 @@ pub mod place;
 mod ports_check;
 pub mod realize;
 pub mod resolve;
+mod rounds;
 pub mod state;
 pub mod store;
+pub mod synthesis;
 pub mod verify;
 
 use std::path::Path;
@@ -28,6 +30,7 @@ use std::path::Path;
 use assemcad_factories::Registry;
 use assemcad_kernel::pool::Pool;
 use assemcad_model::diagnostic::Diagnostic;
+use assemcad_script::Evaluator;
 
 pub use crate::made::Made;
 use crate::store::Store;
@@ -42,12 +45,16 @@ pub struct Workshop {
     pub registry: Registry,
     /// The kernel's workers.
     pub pool: Pool,
+    /// Who evaluates the sources that are not ours.
+    pub evaluator: Evaluator,
     /// The assemblies on disk.
     pub store: Store,
     /// What was made already.
     pub(crate) kept: made::Kept,
     /// How often a draft may be wrong before its decomposition counts as failed.
     pub draft_rounds: usize,
+    /// How many sources a request for a factory may have before its synthesis counts as failed.
+    pub synthesis_rounds: usize,
 }
 
 impl Workshop {
@@ -55,13 +62,20 @@ impl Workshop {
     ///
     /// # Errors
     /// When the folder cannot be made or opened.
-    pub fn open(root: &Path, registry: Registry, pool: Pool) -> Result<Self, Diagnostic> {
+    pub fn open(
+        root: &Path,
+        registry: Registry,
+        pool: Pool,
+        evaluator: Evaluator,
+    ) -> Result<Self, Diagnostic> {
         Ok(Self {
             registry,
             pool,
+            evaluator,
             store: Store::open(root)?,
             kept: made::Kept::default(),
             draft_rounds: draft::DEFAULT_ROUNDS,
+            synthesis_rounds: synthesis::DEFAULT_ROUNDS,
         })
     }
 }

@@ -63,8 +63,12 @@ impl Workshop {
         params: &Map<String, Value>,
         part: Option<&str>,
     ) -> Result<Arc<Made>, Faults> {
-        let evaluated = self.registry.build(factory, params)?;
-        let name = self.registry.get(factory).map_err(|d| vec![*d])?.name();
+        self.recheck(factory).await?;
+        let evaluated = self
+            .registry
+            .build(&self.evaluator, factory, params)
+            .await?;
+        let named = self.registry.get(factory).map_err(|d| vec![*d])?;
         let hash = evaluated.recipe.hash().ok();
         if let Some(known) = hash.as_deref().and_then(|hash| self.kept.get(hash)) {
             // Two sources may have one recipe: the lines are those of the source that was asked for.
@@ -74,7 +78,7 @@ impl Workshop {
         }
         let built = self
             .solid(&evaluated.recipe, |failure| {
-                failed_in(failure, part, name, &evaluated.lines)
+                failed_in(failure, part, named.name(), &evaluated.lines)
             })
             .await
             .map_err(|d| vec![d])?;

@@ -2,24 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use assemcad_kernel::protocol::{Built, Job, Reply};
+use assemcad_factories::evidence::{self, Asked, Unasked};
+use assemcad_kernel::protocol::Built;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::ports::Port;
 use assemcad_model::probe::{Answer, Probe};
-use assemcad_model::report::{Finding, Verdict, rounded};
+use assemcad_model::report::{Finding, Verdict};
 use futures::future::join_all;
-use serde_json::{Map, json};
+use serde_json::Map;
 
 use crate::Workshop;
-use crate::build::{part_failure, unexpected};
+use crate::build::part_failure;
 use crate::resolve::{Resolved, ResolvedPart};
 use crate::verify::Run;
-
-/// How many probes a finding tells of; it counts them all.
-const MOST_TOLD: usize = 3;
-
-/// A port and the answers to its probes.
-type Asked<'a> = (&'a Port, Vec<(Probe, Answer)>);
 
 impl Workshop {
     /// Checks the ports of all parts. Parts of one recipe are asked once.
@@ -76,68 +71,22 @@ impl Workshop {
     /// # Errors
     /// When the kernel does not answer, or a port is not well formed.
     pub async fn ask<'a>(&self, part: &'a ResolvedPart) -> Result<Vec<Asked<'a>>, Diagnostic> {
-        let mut ports = Vec::new();
-        let mut probes = Vec::new();
-        for port in part.ports() {
-            let own = port.evidence().map_err(|faults| {
-                let place = format!("part '{}', port '{}'", part.id, port.name);
-                Diagnostic::error(Code::PortEvidence, place, faults.join("; "))
-            })?;
-            ports.push((port, own.len()));
-            probes.extend(own);
-        }
-        if ports.is_empty() {
-            return Ok(Vec::new());
-        }
-        let job = Job::Probe {
-            recipe: part.made.recipe.clone(),
-            probes: probes.clone(),
-        };
-        let answers = match self.pool.run(&job).await {
-            Ok((Reply::Probed(answers), _)) if answers.len() == probes.len() => answers,
-            Ok(_) => return Err(unexpected(&job)),
-            Err(f) => return Err(part_failure(&f, part)),
-        };
-        let mut pairs = probes.into_iter().zip(answers);
-        Ok(ports
-            .into_iter()
-            .map(|(port, n)| (port, pairs.by_ref().take(n).collect()))
-            .collect())
+        evidence::ask(&self.pool, &part.made.recipe, part.ports())
+            .await
+            .map_err(|why| match why {
+                Unasked::Port(port, faults) => {
+                    let place = format!("part '{}', port '{port}'", part.id);
+                    Diagnostic::error(Code::PortEvidence, place, faults.join("; "))
+                }
+                Unasked::Kernel(failure) => part_failure(&failure, part),
+            })
     }
 }
 
 /// A finding where the solid does not show a port.
 fn judge(part: &ResolvedPart, port: &Port, answers: &[(Probe, Answer)]) -> Option<Finding> {
-    let failed: Vec<_> = answers.iter().filter(|(_, a)| !a.held).collect();
-    let (probe, answer) = failed.first()?;
-    let kind = port.port_type.kind();
-    let mut values = Map::new();
-    values.insert("port".to_owned(), json!(port.name));
-    values.insert("probes".to_owned(), json!(answers.len()));
-    values.insert("failed".to_owned(), json!(failed.len()));
-    let told: Vec<_> = failed
-        .iter()
-        .take(MOST_TOLD)
-        .map(|(p, a)| json!({"shows": p.shows, "at_mm": a.at.map(rounded), "found": a.found}))
-        .collect();
-    values.insert("first_failed".to_owned(), json!(told));
-    let at = answer.at.map(rounded);
-    let d = Diagnostic::error(
-        Code::PortEvidence,
-        format!("part '{}', port '{}'", part.id, port.name),
-        format!(
-            "the solid does not show this {} port: {} is missing at {at:?} in the part's frame ({} of {} \
-             probes fail): {}",
-            kind.name,
-            probe.shows,
-            failed.len(),
-            answers.len(),
-            answer.found
-        ),
-    )
-    .found(json!({"frame": port.frame, "params": port.params}))
-    .expected(kind.doc)
-    .hint(format!(
+    let (d, values) = evidence::missing(port, answers, &format!("part '{}'", part.id))?;
+    let d = d.hint(format!(
         "in the factory {} either the feature is missing or has another place or size, or the port's \
          frame or parameters are wrong",
         part.factory

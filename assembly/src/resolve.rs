@@ -136,14 +136,10 @@ pub async fn part(workshop: &Workshop, part: &Part, place: &str) -> Result<Resol
             faults.into_iter().map(under).collect::<Faults>()
         })?;
     // A short name is written out, so that a factory added later does not make it mean another.
-    let factory = workshop
-        .registry
-        .get(&part.factory)
-        .map_err(|d| vec![*d])?
-        .name();
+    let factory = workshop.registry.get(&part.factory).map_err(|d| vec![*d])?;
     Ok(ResolvedPart {
         id: part.id.clone(),
-        factory: factory.to_owned(),
+        factory: factory.name().to_owned(),
         made,
     })
 }

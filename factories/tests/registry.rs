@@ -6,13 +6,26 @@
     reason = "helpers of tests, outside of #[test] functions"
 )]
 
-use assemcad_factories::{Registry, is_valid_name};
-use assemcad_model::diagnostic::Code;
-use serde_json::{Map, json};
+use assemcad_factories::{Evaluated, Registry, is_valid_name};
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_script::Evaluator;
+use serde_json::{Map, Value, json};
+
+fn load(extra: Option<&std::path::Path>) -> (Registry, Vec<Diagnostic>) {
+    futures::executor::block_on(Registry::load(extra, &Evaluator::here()))
+}
+
+fn build(
+    registry: &Registry,
+    name: &str,
+    params: &Map<String, Value>,
+) -> Result<std::sync::Arc<Evaluated>, Vec<Diagnostic>> {
+    futures::executor::block_on(registry.build(&Evaluator::here(), name, params))
+}
 
 #[test]
 fn names_are_sorted_and_valid() {
-    let (registry, found) = Registry::load(None);
+    let (registry, found) = load(None);
     assert!(found.is_empty(), "{found:?}");
     let names = registry.names();
     assert_eq!(
@@ -53,7 +66,7 @@ fn an_unknown_name_answers_with_the_nearest_ones() {
 
 #[test]
 fn a_description_says_everything() {
-    for factory in Registry::builtin().iter() {
+    for factory in Registry::builtin().all() {
         let name = factory.name();
         assert_eq!(factory.source_sha256().len(), 64);
         assert_eq!(factory.schema()["additionalProperties"], json!(false));
@@ -68,12 +81,12 @@ fn a_description_says_everything() {
 #[test]
 fn the_same_question_gets_the_same_answer() {
     let r = Registry::builtin();
-    let a = r.build("bearing.ball", &Map::new()).unwrap();
+    let a = build(r, "bearing.ball", &Map::new()).unwrap();
     let given = json!({"width": 14, "d_o": 47.0, "d_i": 20})
         .as_object()
         .unwrap()
         .clone();
-    let b = r.build("bearing.ball", &given).unwrap();
+    let b = build(r, "bearing.ball", &given).unwrap();
     assert!(std::sync::Arc::ptr_eq(&a, &b));
 }
 
@@ -87,14 +100,13 @@ fn a_bad_file_does_not_stop_the_rest() {
     write("bearing.ball.star", good);
     write("cube.star", good);
     write("readme.md", "nothing");
-    let (registry, found) = Registry::load(Some(folder.path()));
+    let (registry, found) = load(Some(folder.path()));
     assert_eq!(
         registry.names().len(),
         Registry::builtin().names().len() + 1
     );
     assert_eq!(
-        registry
-            .build("my.cube", &Map::new())
+        build(&registry, "my.cube", &Map::new())
             .unwrap()
             .recipe
             .calls
@@ -107,7 +119,7 @@ fn a_bad_file_does_not_stop_the_rest() {
         [Code::NameTaken, Code::NameInvalid, Code::FactoryFailed],
         "{found:?}"
     );
-    let (registry, found) = Registry::load(Some(&folder.path().join("missing")));
+    let (registry, found) = load(Some(&folder.path().join("missing")));
     assert_eq!(registry.names(), Registry::builtin().names());
     assert_eq!(found.len(), 1);
 }

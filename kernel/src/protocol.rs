@@ -1,23 +1,29 @@
-//! What the server and its workers say to each other, over a private socket.
-//!
-//! A message is two little-endian 32-bit lengths, a JSON header of the first length and a block of
-//! plain bytes of the second (the STEP file; empty otherwise).
-
-use std::io::{self, Read, Write};
+//! What the server asks of the kernel's workers and what they answer.
 
 use assemcad_model::frame::Rows;
 use assemcad_model::ports::Port;
 use assemcad_model::probe::{Answer, Probe};
 use assemcad_model::recipe::Recipe;
-use serde::de::DeserializeOwned;
+use assemcad_workers::Work;
+pub use assemcad_workers::{Doing, Failure, FailureKind};
 use serde::{Deserialize, Serialize};
 
 use crate::asked::{Body, Chosen, Measured};
 use crate::contact::{Touch, Where};
 use crate::pair::Distance;
 
-/// The longest header or block that is accepted, in bytes.
-pub const MAX_LENGTH: u32 = 1 << 30;
+/// The kernel's kind of work.
+#[derive(Debug)]
+pub struct KernelWork;
+
+impl Work for KernelWork {
+    type Job = Job;
+    type Reply = Reply;
+    const SUBCOMMAND: &'static str = "worker";
+    fn name(job: &Job) -> &'static str {
+        job.name()
+    }
+}
 
 /// A solid in its place.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -135,41 +141,6 @@ pub struct Instance {
     pub placement: Rows,
 }
 
-/// What a worker answers.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum Message {
-    /// What the worker is about to do, said before it does it: the last of these names the culprit
-    /// when the worker dies.
-    Doing(Doing),
-    /// The work is done.
-    Done(Reply),
-    /// The work failed.
-    Failed(Failure),
-}
-
-/// What a worker is doing.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Doing {
-    /// The operation's name.
-    pub operation: String,
-    /// Its index in the recipe, where it is a recipe's operation.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub step: Option<usize>,
-    /// The SHA-256 of the recipe, where there is one.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub recipe: Option<String>,
-}
-
-impl core::fmt::Display for Doing {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        match self.step {
-            Some(step) => write!(f, "operation {} ({})", step + 1, self.operation),
-            None => f.write_str(&self.operation),
-        }
-    }
-}
-
 /// The result of a job.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -267,139 +238,4 @@ pub struct StepLeaf {
     pub volume: f64,
     /// Centre of mass in the world, in mm.
     pub centre: [f64; 3],
-}
-
-/// Why a job was not done.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Failure {
-    /// The kind of failure.
-    pub kind: FailureKind,
-    /// What was being done.
-    pub doing: Option<Doing>,
-    /// What happened, in one sentence.
-    pub message: String,
-}
-
-/// The kinds of failure.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum FailureKind {
-    /// The kernel refused the operation or made nothing valid of it.
-    Kernel,
-    /// The memory limit was reached.
-    Memory,
-    /// The limit on processor time was reached.
-    Cpu,
-    /// The limit on elapsed time was reached.
-    Wall,
-    /// The worker died.
-    Crash,
-    /// The worker could not be started or spoke nonsense.
-    Worker,
-}
-
-/// Writes one message.
-///
-/// # Errors
-/// When the socket does not take it, or the header is no JSON.
-pub fn write<T: Serialize>(to: &mut impl Write, header: &T, block: &[u8]) -> io::Result<()> {
-    to.write_all(&encode(header, block)?)?;
-    to.flush()
-}
-
-/// The bytes of one message.
-///
-/// # Errors
-/// When the header is no JSON or a length exceeds [`MAX_LENGTH`].
-pub fn encode<T: Serialize>(header: &T, block: &[u8]) -> io::Result<Vec<u8>> {
-    let header = serde_json::to_vec(header)?;
-    let length = |n: usize| {
-        u32::try_from(n)
-            .ok()
-            .filter(|n| *n <= MAX_LENGTH)
-            .ok_or_else(|| io::Error::new(io::ErrorKind::InvalidData, "message too long"))
-    };
-    let mut bytes = Vec::with_capacity(8 + header.len() + block.len());
-    bytes.extend(length(header.len())?.to_le_bytes());
-    bytes.extend(length(block.len())?.to_le_bytes());
-    bytes.extend(header);
-    bytes.extend(block);
-    Ok(bytes)
-}
-
-/// The two lengths at the head of a message.
-///
-/// # Errors
-/// When one exceeds [`MAX_LENGTH`].
-pub fn lengths(head: [u8; 8]) -> io::Result<(usize, usize)> {
-    let [a, b, c, d, e, f, g, h] = head;
-    let (header, block) = (
-        u32::from_le_bytes([a, b, c, d]),
-        u32::from_le_bytes([e, f, g, h]),
-    );
-    if header > MAX_LENGTH || block > MAX_LENGTH {
-        return Err(io::Error::new(
-            io::ErrorKind::InvalidData,
-            "message too long",
-        ));
-    }
-    Ok((header as usize, block as usize))
-}
-
-/// Reads one message; `None` at the end of the stream.
-///
-/// # Errors
-/// When the stream breaks off within a message or the header is not what was expected.
-pub fn read<T: DeserializeOwned>(from: &mut impl Read) -> io::Result<Option<(T, Vec<u8>)>> {
-    let mut head = [0; 8];
-    match from.read_exact(&mut head) {
-        Err(e) if e.kind() == io::ErrorKind::UnexpectedEof => return Ok(None),
-        other => other?,
-    }
-    let (header, block) = lengths(head)?;
-    let mut header = vec![0; header];
-    from.read_exact(&mut header)?;
-    let mut bytes = vec![0; block];
-    from.read_exact(&mut bytes)?;
-    Ok(Some((serde_json::from_slice(&header)?, bytes)))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Doing, Message, read, write};
-
-    #[test]
-    fn messages_come_back_as_they_went() {
-        let doing = |operation: &str| {
-            Message::Doing(Doing {
-                operation: operation.to_owned(),
-                step: Some(2),
-                recipe: None,
-            })
-        };
-        let mut bytes = Vec::new();
-        write(&mut bytes, &doing("fuse"), b"").unwrap();
-        write(&mut bytes, &doing("cut"), b"\x00\xff").unwrap();
-        let mut from = bytes.as_slice();
-        for (operation, block) in [("fuse", &b""[..]), ("cut", b"\x00\xff")] {
-            let (message, bytes) = read::<Message>(&mut from).unwrap().unwrap();
-            let Message::Doing(doing) = message else {
-                panic!("{message:?}")
-            };
-            assert_eq!(
-                (doing.operation.as_str(), bytes.as_slice()),
-                (operation, block)
-            );
-            assert_eq!(doing.to_string(), format!("operation 3 ({operation})"));
-        }
-        assert!(read::<Message>(&mut from).unwrap().is_none());
-    }
-
-    #[test]
-    fn a_message_cut_short_is_an_error() {
-        let mut bytes = Vec::new();
-        write(&mut bytes, &"x", b"block").unwrap();
-        assert!(read::<String>(&mut &bytes[..bytes.len() - 1]).is_err());
-        assert!(read::<String>(&mut &[0xff; 8][..]).is_err());
-    }
 }

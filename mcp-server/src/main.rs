@@ -9,11 +9,12 @@ mod serve;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use assemcad_assembly::Workshop;
 use assemcad_assembly::draft::DEFAULT_ROUNDS;
+use assemcad_assembly::{Workshop, synthesis};
 use assemcad_factories::Registry;
 use assemcad_kernel::pool::{Config, Limits, Pool};
 use assemcad_kernel::worker;
+use assemcad_script::worker::{self as script_worker, Evaluator};
 use clap::{Args, Parser, Subcommand};
 
 #[derive(Debug, Parser)]
@@ -30,6 +31,9 @@ enum Action {
     /// Runs the geometry kernel for a server. Started by the server; not for people.
     #[command(hide = true)]
     Worker(Worker),
+    /// Evaluates factories' sources for a server. Started by the server; not for people.
+    #[command(hide = true)]
+    ScriptWorker(ScriptWorker),
 }
 
 #[derive(Debug, Args)]
@@ -55,6 +59,9 @@ struct Serve {
     /// How many wrong rounds a draft has before its decomposition counts as failed.
     #[arg(long, default_value_t = DEFAULT_ROUNDS)]
     draft_rounds: usize,
+    /// How many wrong sources a request for a factory has before its synthesis counts as failed.
+    #[arg(long, default_value_t = synthesis::DEFAULT_ROUNDS)]
+    synthesis_rounds: usize,
 }
 
 #[derive(Debug, Args)]
@@ -65,6 +72,14 @@ struct Worker {
     cpu_s: u64,
     #[arg(long)]
     cache: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+struct ScriptWorker {
+    #[arg(long)]
+    memory_mb: u64,
+    #[arg(long)]
+    cpu_s: u64,
 }
 
 fn main() -> ExitCode {
@@ -84,6 +99,14 @@ fn main() -> ExitCode {
             };
             worker::run(settings).map_err(|e| e.to_string())
         }
+        Action::ScriptWorker(options) => {
+            let limits = Limits {
+                memory_mb: options.memory_mb,
+                cpu_s: options.cpu_s,
+                ..script_worker::LIMITS
+            };
+            script_worker::run(limits).map_err(|e| e.to_string())
+        }
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -95,12 +118,27 @@ fn main() -> ExitCode {
 }
 
 fn serve(options: Serve) -> Result<(), String> {
-    let (registry, faults) = Registry::load(options.factories.as_deref());
-    for fault in faults {
-        tracing::warn!("{fault}");
-    }
+    let runtime = tokio::runtime::Builder::new_multi_thread()
+        .enable_all()
+        .build()
+        .map_err(|e| format!("the runtime: {e}"))?;
+    runtime.block_on(async {
+        let workshop = workshop(options).await?;
+        serve::stdio(workshop).await
+    })
+}
+
+/// The workshop that the options describe, with what was admitted to it before.
+async fn workshop(options: Serve) -> Result<Workshop, String> {
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let workers = options.workers.unwrap_or(cores);
     let program = std::env::current_exe().map_err(|e| format!("where this program is: {e}"))?;
+    let evaluator = Evaluator::processes(script_worker::Config {
+        program: program.clone(),
+        workers,
+        limits: script_worker::LIMITS,
+    });
+    let (registry, mut faults) = Registry::load(options.factories.as_deref(), &evaluator).await;
     std::fs::create_dir_all(&options.root).map_err(|e| format!("--root: {e}"))?;
     let root = options
         .root
@@ -109,18 +147,20 @@ fn serve(options: Serve) -> Result<(), String> {
     let pool = Pool::new(Config {
         program,
         cache: Some(root.join(".assemcad").join("cache")),
-        workers: options.workers.unwrap_or(cores),
+        workers,
         limits: Limits {
             memory_mb: options.worker_memory_mb,
             cpu_s: options.worker_cpu_s,
             wall_s: options.worker_wall_s,
         },
     });
-    let mut workshop = Workshop::open(&root, registry, pool).map_err(|d| d.to_string())?;
+    let mut workshop =
+        Workshop::open(&root, registry, pool, evaluator).map_err(|d| d.to_string())?;
     workshop.draft_rounds = options.draft_rounds;
-    let runtime = tokio::runtime::Builder::new_multi_thread()
-        .enable_all()
-        .build()
-        .map_err(|e| format!("the runtime: {e}"))?;
-    runtime.block_on(serve::stdio(workshop))
+    workshop.synthesis_rounds = options.synthesis_rounds;
+    faults.extend(workshop.load_admitted().await);
+    for fault in faults {
+        tracing::warn!("{fault}");
+    }
+    Ok(workshop)
 }

@@ -87,6 +87,8 @@ pub enum Code {
     Coincident,
     /// A part that nothing holds but its teeth, or a hole in line with a hole.
     Unsupported,
+    /// A factory's source that was still wrong after as many rounds as there are.
+    SynthesisFailed,
     /// A draft that was still wrong after as many rounds as there are.
     DecompositionFailed,
     /// There is no assembly of this name.

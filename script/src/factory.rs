@@ -6,6 +6,7 @@ use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::Diagnostic;
 use assemcad_model::param::{ParamSpec, check_all, object_schema};
 use assemcad_model::recipe::Recipe;
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::fault::Fault;
@@ -23,7 +24,7 @@ pub struct Factory {
 }
 
 /// What a factory makes of its parameters.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Evaluated {
     /// The calls that were made, and which of them gives the part.
     pub recipe: Recipe,
@@ -61,20 +62,30 @@ pub fn script_within(
 }
 
 fn job(name: &str, source: &str, limits: Limits) -> Result<Job, Vec<Diagnostic>> {
-    if source.len() > limits.source_bytes {
-        let fault = Fault::new(format!(
-            "the source has {} bytes, more than {} (limit source_bytes)",
-            source.len(),
-            limits.source_bytes
-        ))
-        .hint("split it into several factories");
-        return Err(vec![fault.diagnostic(name, None)]);
-    }
+    size_within(name, source, &limits)?;
     Ok(Job {
         name: name.to_owned(),
         source: Arc::from(source),
         limits,
     })
+}
+
+/// Looks at a source's length alone, before anything is done with it.
+pub(crate) fn size(name: &str, source: &str) -> Result<(), Vec<Diagnostic>> {
+    size_within(name, source, &Limits::default())
+}
+
+fn size_within(name: &str, source: &str, limits: &Limits) -> Result<(), Vec<Diagnostic>> {
+    if source.len() <= limits.source_bytes {
+        return Ok(());
+    }
+    let fault = Fault::new(format!(
+        "the source has {} bytes, more than {} (limit source_bytes)",
+        source.len(),
+        limits.source_bytes
+    ))
+    .hint("split it into several factories");
+    Err(vec![fault.diagnostic(name, None)])
 }
 
 impl Factory {
@@ -106,6 +117,23 @@ impl Factory {
             doc: declaration.doc,
             params: declaration.params,
         })
+    }
+
+    /// The same factory with other ranges of its parameters.
+    #[must_use]
+    pub fn within(self, params: Vec<ParamSpec>) -> Self {
+        Self { params, ..self }
+    }
+
+    /// The factory of a source whose declaration is known from another process.
+    pub(crate) fn declared(name: &str, source: &str, doc: String, params: Vec<ParamSpec>) -> Self {
+        Self {
+            name: name.to_owned(),
+            source: Arc::from(source),
+            limits: Limits::default(),
+            doc,
+            params,
+        }
     }
 
     /// The factory's name.

@@ -7,6 +7,7 @@ use assemcad_model::param::clip;
 use starlark::ErrorKind;
 use starlark::codemap::FileSpan;
 
+use crate::language::session::Session;
 use crate::limits::Limits;
 
 /// What a function of the language answers when it refuses its arguments.
@@ -89,13 +90,10 @@ fn capped(message: &str) -> String {
 }
 
 /// The interpreter's error as a diagnostic.
-pub(crate) fn diagnostic(
-    name: &str,
-    limits: &Limits,
-    lines: &Lines,
-    error: &starlark::Error,
-) -> Diagnostic {
-    let line = line_of(error, lines);
+pub(crate) fn diagnostic(name: &str, session: &Session, error: &starlark::Error) -> Diagnostic {
+    let limits = &session.limits;
+    // Of some faults the interpreter does not say where; they came up in the statement of the moment.
+    let line = line_of(error, &session.lines).or_else(|| session.recorder.get().line());
     let (ErrorKind::Fail(cause)
     | ErrorKind::StackOverflow(cause)
     | ErrorKind::Value(cause)
@@ -202,9 +200,12 @@ fn syntax(text: &str) -> Fault {
     Fault::new(format!("this line is not Starlark: {text}"))
 }
 
+/// How the fault of an unknown name begins.
+pub(crate) const UNKNOWN_NAME: &str = "there is nothing of the name";
+
 fn unknown_name(text: &str) -> Fault {
     let wanted = text.split('`').nth(1).unwrap_or_default();
-    let fault = Fault::new(format!("there is nothing of the name '{}'", clip(wanted)));
+    let fault = Fault::new(format!("{UNKNOWN_NAME} '{}'", clip(wanted)));
     if let Some(hint) = crate::hints::name_hint(wanted) {
         return fault.hint(hint);
     }

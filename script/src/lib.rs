@@ -7,6 +7,7 @@
 //! A source is text of a stranger. Every limit in [`Limits`] that it exceeds, and every fault that it
 //! holds, comes back as a [`assemcad_model::diagnostic::Diagnostic`] that names the line.
 
+mod expression;
 mod factory;
 mod fault;
 mod hints;
@@ -21,7 +22,10 @@ mod run;
 mod scan;
 mod thread;
 mod values;
+pub mod worker;
 
+pub use expression::expressions;
 pub use factory::{Evaluated, Factory, script, script_within};
 pub use limits::Limits;
 pub use reference::reference;
+pub use worker::Evaluator;

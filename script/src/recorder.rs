@@ -18,7 +18,7 @@ pub(crate) struct Recorder {
     most_calls: usize,
     most_pieces: usize,
     /// Where in the source the statement begins that is carried out, and its operators with it.
-    pub(crate) statement: u32,
+    pub(crate) statement: Option<u32>,
     /// Where in the source lines end.
     ends: Vec<u32>,
 }
@@ -36,7 +36,7 @@ impl Shared {
             pieces: 0,
             most_calls: limits.operations,
             most_pieces: limits.pieces,
-            statement: 0,
+            statement: None,
             ends: ends.filter_map(|(at, _)| u32::try_from(at).ok()).collect(),
         })))
     }
@@ -87,10 +87,11 @@ impl Recorder {
         Ok(())
     }
 
-    /// The 1-based line of the statement that is carried out.
-    pub(crate) fn line(&self) -> u32 {
-        let before = self.ends.partition_point(|end| *end < self.statement);
-        u32::try_from(before + 1).unwrap_or(u32::MAX)
+    /// The 1-based line of the statement that is carried out; none before the first.
+    pub(crate) fn line(&self) -> Option<u32> {
+        let statement = self.statement?;
+        let before = self.ends.partition_point(|end| *end < statement);
+        u32::try_from(before + 1).ok()
     }
 
     /// The call of an index.

@@ -50,7 +50,7 @@ impl Job {
     /// Evaluates the top level and gives what it declared.
     pub(crate) fn declare(self) -> Result<Declaration, Vec<Diagnostic>> {
         self.in_thread(|job, cancelled| {
-            job.evaluate(cancelled, |job, session, module, _| {
+            job.evaluate(cancelled, &Map::new(), |job, session, module, _, _| {
                 let mut found = Vec::new();
                 let declaration = session.declaration.borrow_mut().take();
                 if declaration.is_none() {
@@ -80,7 +80,7 @@ impl Job {
         params: Map<String, Json>,
     ) -> Result<Built, Vec<Diagnostic>> {
         self.in_thread(move |job, cancelled| {
-            job.evaluate(cancelled, |job, session, module, eval| {
+            job.evaluate(cancelled, &Map::new(), |job, session, module, eval, _| {
                 session.building.set(true);
                 let Some(build) = module.get("build") else {
                     return Err(vec![
@@ -95,14 +95,7 @@ impl Job {
                 if !broken.is_empty() {
                     return Err(broken.iter().map(|m| fault::of_params(m)).collect());
                 }
-                let result = result.map_err(|e| {
-                    vec![fault::diagnostic(
-                        &job.name,
-                        &job.limits,
-                        &session.lines,
-                        &e,
-                    )]
-                })?;
+                let result = result.map_err(|e| vec![fault::diagnostic(&job.name, session, &e)])?;
                 let hint = "end build(p) with `return` and the finished workplane";
                 built(job, session, "build(p) returned", result, hint)
             })
@@ -112,7 +105,7 @@ impl Job {
     /// Evaluates a plain script, which leaves its part in `result` or gives it to `show_object`.
     pub(crate) fn script(self) -> Result<Built, Vec<Diagnostic>> {
         self.in_thread(|job, cancelled| {
-            job.evaluate(cancelled, |job, session, module, _| {
+            job.evaluate(cancelled, &Map::new(), |job, session, module, _, _| {
                 if session.declaration.borrow().is_some() {
                     return Err(vec![
                         Fault::new("a plain script does not call factory(...)")
@@ -134,6 +127,16 @@ impl Job {
         })
     }
 
+    /// Evaluates one expression over the names that are given to it, to a finite number.
+    pub(crate) fn number(self, given: Map<String, Json>) -> Result<f64, Vec<Diagnostic>> {
+        self.in_thread(move |job, cancelled| {
+            job.evaluate(cancelled, &given, |job, _, _, _, value| {
+                language::number(value, "the expression's value")
+                    .map_err(|fault| vec![fault.diagnostic(&job.name, None)])
+            })
+        })
+    }
+
     fn in_thread<T: Send + 'static>(
         self,
         work: impl FnOnce(&Self, Arc<AtomicBool>) -> Result<T, Vec<Diagnostic>> + Send + 'static,
@@ -143,15 +146,18 @@ impl Job {
             .unwrap_or_else(|fault| Err(vec![fault.diagnostic(&name, None)]))
     }
 
-    /// Reads, checks and evaluates the top level, then hands over to `finish`.
+    /// Reads, checks and evaluates the top level, where `given` names are bound already, then hands
+    /// over to `finish` with the value of the last statement.
     fn evaluate<T>(
         &self,
         cancelled: Arc<AtomicBool>,
+        given: &Map<String, Json>,
         finish: impl for<'v, 'a> FnOnce(
             &Self,
             &Session,
             &Module<'v>,
             &mut Evaluator<'v, 'a, '_>,
+            Value<'v>,
         ) -> Result<T, Vec<Diagnostic>>,
     ) -> Result<T, Vec<Diagnostic>> {
         let dialect = dialect();
@@ -168,14 +174,7 @@ impl Job {
         }
         let lines = Lines(crate::scan::calls(&source, &dialect));
         let session = Session::new(&self.limits, lines, &source);
-        let one = |e: &starlark::Error| {
-            vec![fault::diagnostic(
-                &self.name,
-                &self.limits,
-                &session.lines,
-                e,
-            )]
-        };
+        let one = |e: &starlark::Error| vec![fault::diagnostic(&self.name, &session, e)];
         let mut ast = AstModule::parse(&self.name, source, &dialect).map_err(|e| one(&e))?;
         ast.replace_binary_operators(&guard::operators());
         let deadline = Instant::now() + self.limits.time;
@@ -203,9 +202,11 @@ impl Job {
                 recorder: session.recorder.clone(),
                 ended,
             })));
-            eval.eval_module(ast, language::globals())
+            crate::values::params::bind(&module, given);
+            let last = eval
+                .eval_module(ast, language::globals())
                 .map_err(|e| one(&e))?;
-            finish(self, &session, &module, &mut eval)
+            finish(self, &session, &module, &mut eval, last)
         })
     }
 }
@@ -249,7 +250,7 @@ impl<'e, F: Fn() -> bool> BeforeStmtFuncDyn<'e> for Watch<F> {
         eval: &mut Evaluator<'v, '_, 'e>,
     ) -> starlark::Result<()> {
         self.statements += 1;
-        self.recorder.get().statement = span.span.begin().get();
+        self.recorder.get().statement = Some(span.span.begin().get());
         let fault = if self.statements > self.limits.statements {
             Fault::new(format!(
                 "more than {} statements are carried out (limit statements)",

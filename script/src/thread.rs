@@ -14,6 +14,14 @@ static LEFT_BEHIND: AtomicUsize = AtomicUsize::new(0);
 /// More than so many are not left behind: each may still hold a processor.
 const MOST_LEFT_BEHIND: usize = 4;
 
+/// Whether an evaluation did not find the memory for its thread.
+static NO_THREAD: AtomicBool = AtomicBool::new(false);
+
+/// Whether this process is as good as new: nothing was left behind in it, and threads can be started.
+pub(crate) fn is_fit() -> bool {
+    LEFT_BEHIND.load(Ordering::SeqCst) == 0 && !NO_THREAD.load(Ordering::SeqCst)
+}
+
 /// Runs `work` in a thread of its own and gives what it gives.
 ///
 /// `work` is handed a flag that is raised when nobody waits any longer. A thread cannot be ended from
@@ -31,7 +39,7 @@ pub(crate) fn run<T: Send + 'static>(
     let cancelled = Arc::new(AtomicBool::new(false));
     let ended = Arc::new(AtomicBool::new(false));
     let (flag, end) = (Arc::clone(&cancelled), Arc::clone(&ended));
-    std::thread::Builder::new()
+    let thread = std::thread::Builder::new()
         .name("script".to_owned())
         .stack_size(limits.stack_bytes)
         .spawn(move || {
@@ -45,12 +53,17 @@ pub(crate) fn run<T: Send + 'static>(
             drop(send.send(result));
         })
         .map_err(|e| {
+            NO_THREAD.store(true, Ordering::SeqCst);
             Fault::new(format!(
                 "no thread could be started for the evaluation: {e}"
             ))
         })?;
     match receive.recv_timeout(limits.time.saturating_mul(2)) {
-        Ok(Some(result)) => Ok(result),
+        Ok(Some(result)) => {
+            // Its stack is free again when the next evaluation asks for one.
+            drop(thread.join());
+            Ok(result)
+        }
         Err(mpsc::RecvTimeoutError::Timeout) => {
             cancelled.store(true, Ordering::SeqCst);
             LEFT_BEHIND.fetch_add(1, Ordering::SeqCst);

@@ -104,7 +104,7 @@ impl Tool for DescribeFactory {
             .make(&arguments.factory, &arguments.params, None)
             .await?;
         Ok(Answer {
-            factory: arguments.factory.clone(),
+            factory: factory.name().to_owned(),
             doc: factory.doc().to_owned(),
             params_schema: factory.schema().as_object().cloned().unwrap_or_default(),
             ports: made.ports.iter().map(PortAnswer::from).collect(),

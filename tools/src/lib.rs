@@ -26,6 +26,7 @@ mod realize;
 mod remove;
 mod render;
 mod schema;
+mod synthesize_factory;
 mod validate_draft;
 mod verify;
 
@@ -145,6 +146,7 @@ pub fn all() -> Vec<Offer> {
         Offer::of::<realize::Realize>(),
         Offer::of::<remove::Remove>(),
         Offer::of::<render::Render>(),
+        Offer::of::<synthesize_factory::SynthesizeFactory>(),
         Offer::of::<validate_draft::ValidateDraft>(),
         Offer::of::<verify::Verify>(),
     ]

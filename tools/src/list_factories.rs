@@ -1,5 +1,7 @@
 //! `list_factories`.
 
+use std::sync::Arc;
+
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_factories::Factory;
 use schemars::JsonSchema;
@@ -46,9 +48,10 @@ impl Tool for ListFactories {
     async fn run(workshop: &Workshop, arguments: Arguments) -> Result<Answer, Faults> {
         let wanted = workshop
             .registry
-            .iter()
+            .all()
+            .into_iter()
             .filter(|f| f.name().contains(&arguments.name_contains));
-        let entry = |factory: &Factory| Entry {
+        let entry = |factory: Arc<Factory>| Entry {
             factory: factory.name().to_owned(),
             summary: first_sentence(factory.doc()).to_owned(),
             params: factory.params().iter().map(|p| p.name.clone()).collect(),

@@ -36,17 +36,47 @@ pub struct Argument {
 }
 
 /// Every prompt, sorted by name.
-pub static ALL: [Prompt; 1] = [Prompt {
-    name: "decompose",
-    title: "Design an assembly",
-    description: "Turns a description in words into a valid assembly specification: the format, the \
-                  factories, ports and mates there are, the way of working and frequent mistakes.",
-    arguments: &[Argument {
-        name: "description",
-        description: "What is to be built, in plain words: function, sizes, loads, what is given.",
-    }],
-    template: include_str!("../../prompts/decompose.md"),
-}];
+pub static ALL: [Prompt; 3] = [
+    Prompt {
+        name: "decompose",
+        title: "Design an assembly",
+        description: "Turns a description in words into a valid assembly specification: the format, the \
+                      factories, ports and mates there are, the way of working and frequent mistakes.",
+        arguments: &[Argument {
+            name: "description",
+            description: "What is to be built, in plain words: function, sizes, loads, what is given.",
+        }],
+        template: include_str!("../../prompts/decompose.md"),
+    },
+    Prompt {
+        name: "repair",
+        title: "Mend a factory",
+        description: "Mends a factory's source that synthesize_factory refused: how to read the findings, \
+                      and the language on one page.",
+        arguments: &[
+            Argument {
+                name: "source",
+                description: "The source that was refused.",
+            },
+            Argument {
+                name: "findings",
+                description: "The findings of the answer, as they are.",
+            },
+        ],
+        template: include_str!("../../prompts/repair.md"),
+    },
+    Prompt {
+        name: "synthesize",
+        title: "Write a factory",
+        description: "Writes a factory for a part that no factory makes: the way of working, what is held \
+                      against the source, the language on one page and frequent mistakes.",
+        arguments: &[Argument {
+            name: "description",
+            description: "The part, in plain words: function, form, sizes, what is mated to it.",
+        }],
+        template: include_str!("../../prompts/synthesize.md"),
+    },
+];
 
 /// The longest description that is taken, in characters.
 const MOST_DESCRIPTION: usize = 20_000;
@@ -69,11 +99,18 @@ impl Prompt {
         }
         let mut text = self
             .template
-            .replace("{{FACTORIES}}", &factories(workshop).await)
             .replace("{{PORTS}}", &port_types())
             .replace("{{MATES}}", &mate_types())
             .replace("{{AXIOMS}}", &axioms_by_mate_type())
-            .replace("{{ROUNDS}}", &workshop.draft_rounds.to_string());
+            .replace("{{LANGUAGE}}", assemcad_script::reference().trim())
+            .replace("{{ROUNDS}}", &workshop.draft_rounds.to_string())
+            .replace(
+                "{{SYNTHESIS_ROUNDS}}",
+                &workshop.synthesis_rounds.to_string(),
+            );
+        if text.contains("{{FACTORIES}}") {
+            text = text.replace("{{FACTORIES}}", &factories(workshop).await);
+        }
         // Last, and each once: what a caller writes is no template.
         for argument in self.arguments {
             let value = match given.get(argument.name) {
@@ -98,7 +135,7 @@ impl Prompt {
 async fn factories(workshop: &Workshop) -> String {
     let mut out = String::new();
     let mut family = "";
-    for factory in workshop.registry.iter() {
+    for factory in &workshop.registry.all() {
         let name = factory.name();
         let space = name.split_once('.').map_or(name, |(space, _)| space);
         if space != family {

@@ -3,20 +3,20 @@
 //! An oblique port without an x direction, which the paper warns of, cannot arise: a factory must state
 //! the x direction of every port, and one that does not is refused when it is evaluated.
 
+use crate::rounds::{self, Round};
+use crate::{Faults, Workshop};
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::spec::Assembly;
-use serde_json::json;
-
-use crate::{Faults, Workshop};
 
 mod check;
 mod layout;
 mod read;
-mod rounds;
 
 pub use read::{Draft, Loose};
-pub use rounds::Round;
+
+/// Where the rounds of drafts are counted.
+const ROUNDS: &str = ".assemcad/drafts";
 
 /// How many rounds a draft has where the server's command line says nothing.
 pub const DEFAULT_ROUNDS: usize = 5;
@@ -74,7 +74,7 @@ impl Workshop {
         let valid = checked.assembly.is_some();
         let history = self
             .store
-            .count_round(checked.id.as_deref(), round, valid)
+            .count_round(ROUNDS, checked.id.as_deref(), round, valid)
             .await
             .map_err(|d| vec![d])?;
         checked.round = history.len();
@@ -91,13 +91,6 @@ impl Workshop {
 fn failed(checked: &Checked, history: &[Round]) -> Diagnostic {
     let first = history.first().map_or(0, |r| r.errors);
     let last = history.last().map_or(0, |r| r.errors);
-    let tried: Vec<serde_json::Value> = history
-        .iter()
-        .enumerate()
-        .map(|(i, r)| json!({"round": i + 1, "errors": r.errors, "codes": r.codes}))
-        // A loop that goes on all the same is told of its last rounds only.
-        .skip(history.len().saturating_sub(10))
-        .collect();
     let mut d = Diagnostic::error(
         Code::DecompositionFailed,
         match &checked.id {
@@ -110,7 +103,7 @@ fn failed(checked: &Checked, history: &[Round]) -> Diagnostic {
         ),
     );
     // Set whole: it is bounded by itself, and a cut text would be no history.
-    d.found = Some(tried.into());
+    d.found = Some(rounds::history(history));
     d.hint(
         "stop and think again about the decomposition: fewer kinds of parts, other factories \
          (describe_factory shows the ports); a draft that is valid, or has another id, begins anew",

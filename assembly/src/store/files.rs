@@ -103,6 +103,27 @@ impl Store {
         write().map_err(|e| not_written(path, &e))
     }
 
+    /// The names of the files in a folder below the root, sorted; none where there is no such folder.
+    ///
+    /// # Errors
+    /// When the folder cannot be read.
+    pub fn files_in(&self, folder: &str) -> Result<Vec<String>, Diagnostic> {
+        let list = || -> io::Result<Vec<String>> {
+            let mut names = Vec::new();
+            for entry in self.root.read_dir(folder)? {
+                if let Ok(name) = entry?.file_name().into_string() {
+                    names.push(name);
+                }
+            }
+            names.sort();
+            Ok(names)
+        };
+        match list() {
+            Err(e) if e.kind() == io::ErrorKind::NotFound => Ok(Vec::new()),
+            other => other.map_err(|e| file_failed(folder, "listed", &e)),
+        }
+    }
+
     /// Reads a text file below the root that a client names.
     ///
     /// # Errors

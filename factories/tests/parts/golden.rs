@@ -28,7 +28,7 @@ fn every_factory_has_its_folder() {
 
 #[test]
 fn parts_are_as_accepted_and_as_computed() {
-    for name in Registry::builtin().names() {
+    for name in &Registry::builtin().names() {
         let folder = folder().join(name);
         let text = std::fs::read_to_string(folder.join("cases.json")).unwrap();
         let cases: Vec<Value> = serde_json::from_str(&text).unwrap();
@@ -37,7 +37,8 @@ fn parts_are_as_accepted_and_as_computed() {
             json!({"case": "defaults", "params": {}}),
             "{name}"
         );
-        let doc = Registry::builtin().get(name).unwrap().doc();
+        let factory = Registry::builtin().get(name).unwrap();
+        let doc = factory.doc();
         let mut made = Vec::new();
         for case in &cases {
             let part = sound(name, &case["params"]);
@@ -160,8 +161,9 @@ pub fn as_computed(name: &str, params: &Value, part: &Part) {
 #[ignore = "prints timings"]
 fn timings() {
     use std::time::Instant;
-    for name in Registry::builtin().names() {
-        let source = Registry::builtin().get(name).unwrap().source();
+    for name in &Registry::builtin().names() {
+        let factory = Registry::builtin().get(name).unwrap();
+        let source = factory.source();
         let mut best = [f64::INFINITY; 2];
         for _ in 0..5 {
             let began = Instant::now();

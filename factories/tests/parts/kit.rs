@@ -17,7 +17,10 @@ pub const NZ: [f64; 3] = [0.0, 0.0, -1.0];
 /// The part, or why the script refuses it. What the kernel refuses fails the test: a factory refuses
 /// by `require`.
 pub fn made(name: &str, params: &Value) -> Result<Part, Vec<Diagnostic>> {
-    let built = Registry::builtin().build(name, params.as_object().unwrap())?;
+    let built = Registry::builtin()
+        .get(name)
+        .unwrap()
+        .build(params.as_object().unwrap())?;
     assert_eq!(built.recipe.calls.len(), built.lines.len());
     assert!(built.lines.iter().all(|l| *l > 0), "{:?}", built.lines);
     let part = assemcad_kernel::replay(&built.recipe, &mut |_, _| {});

@@ -73,14 +73,16 @@ fn combinations(specs: &[ParamSpec]) -> Vec<Map<String, Value>> {
 }
 
 fn corners(name: &str) {
-    let specs = Registry::builtin().get(name).unwrap().params();
+    let factory = Registry::builtin().get(name).unwrap();
+    let specs = factory.params();
     let all = combinations(specs).into_iter().map(Value::Object);
     try_all(name, "corners", all.collect());
 }
 
 /// Every end of every range on its own.
 fn ends_alone(name: &str) {
-    let specs = Registry::builtin().get(name).unwrap().params();
+    let factory = Registry::builtin().get(name).unwrap();
+    let specs = factory.params();
     let alone = |spec: &ParamSpec| {
         let name = spec.name.clone();
         ends(spec)

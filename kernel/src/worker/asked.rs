@@ -3,8 +3,9 @@
 use std::rc::Rc;
 
 use assemcad_model::frame::Placement;
+use assemcad_workers::Tell;
 
-use super::jobs::{Bench, Solid, Tell, doing};
+use super::jobs::{Bench, Solid, doing};
 use crate::asked::{Body, Chosen, Looked, Measured};
 use crate::brep::Topology;
 use crate::error::{KernelError, Result};

@@ -8,6 +8,7 @@ use assemcad_model::canonical::sha256;
 use assemcad_model::frame::Placement;
 use assemcad_model::ports::Port;
 use assemcad_model::recipe::{Call, Recipe};
+use assemcad_workers::Tell;
 use lru::LruCache;
 
 use super::cache::{self, Disk, Entry};
@@ -22,9 +23,6 @@ use crate::{contact, pair, replay, step};
 
 /// What stands in a STEP header where it asks for persons.
 const UNSTATED: &str = "not stated";
-
-/// Says what is about to be done.
-pub(super) type Tell<'a> = &'a mut dyn FnMut(Doing);
 
 pub(super) fn doing(operation: &str, recipe: Option<String>) -> Doing {
     Doing {
@@ -67,12 +65,6 @@ impl Bench {
     }
 
     pub(super) fn work(&mut self, job: &Job, tell: Tell<'_>) -> Result<(Reply, Vec<u8>)> {
-        // Said at once: from now on the job counts as started.
-        tell(Doing {
-            operation: job.name().to_owned(),
-            step: None,
-            recipe: None,
-        });
         match job {
             Job::Build { recipe } => Ok((Reply::Built(self.build(recipe, tell)?), Vec::new())),
             Job::CommonVolume { a, b, samples } => {

@@ -1,18 +1,15 @@
-//! The worker process: jobs come in on its private socket, answers go out there, one at a time.
-//!
-//! It may crash, hang or run out of its limits at any time; the pool on the other side copes.
+//! The kernel's worker process.
 
 mod asked;
 mod cache;
 mod jobs;
-mod limits;
 
 use std::io;
-use std::os::fd::AsFd;
-use std::os::unix::net::UnixStream;
 use std::path::PathBuf;
 
-use crate::protocol::{self, Doing, Failure, FailureKind, Message};
+use assemcad_workers::{Handler, Limits, Refusal, Tell};
+
+use crate::protocol::{Job, KernelWork, Reply};
 
 /// What a worker is started with.
 #[derive(Debug, Clone)]
@@ -30,52 +27,19 @@ pub struct Settings {
 /// # Errors
 /// When the limits cannot be set or the socket breaks.
 pub fn run(settings: Settings) -> io::Result<()> {
-    limits::set_memory_mb(settings.memory_mb)?;
-    let mut socket = UnixStream::from(io::stdin().as_fd().try_clone_to_owned()?);
-    let mut bench = jobs::Bench::new(settings.cache);
-    while let Some((job, _)) = protocol::read(&mut socket)? {
-        limits::allow_cpu_s(settings.cpu_s)?;
-        let mut last = None;
-        let mut lost = None;
-        let result = bench.work(&job, &mut |doing: Doing| {
-            // An answer that cannot be sent ends the process, but not in the middle of an operation.
-            if let Err(e) = protocol::write(&mut socket, &Message::Doing(doing.clone()), &[]) {
-                lost.get_or_insert(e);
-            }
-            last = Some(doing);
-        });
-        if let Some(e) = lost {
-            return Err(e);
-        }
-        match result {
-            Ok((reply, block)) => protocol::write(&mut socket, &Message::Done(reply), &block)?,
-            Err(error) => {
-                let out_of_memory = error.kind == crate::Kind::OutOfMemory;
-                let kind = if out_of_memory {
-                    FailureKind::Memory
-                } else {
-                    FailureKind::Kernel
-                };
-                let message = if out_of_memory {
-                    format!(
-                        "it needed more memory than the limit of {} MiB",
-                        settings.memory_mb
-                    )
-                } else {
-                    error.message
-                };
-                let failure = Failure {
-                    kind,
-                    doing: last,
-                    message,
-                };
-                protocol::write(&mut socket, &Message::Failed(failure), &[])?;
-                if out_of_memory {
-                    // What is left of the address space is in pieces: the next job gets a new process.
-                    return Ok(());
-                }
-            }
-        }
+    let limits = Limits {
+        memory_mb: settings.memory_mb,
+        cpu_s: settings.cpu_s,
+        ..Limits::default()
+    };
+    assemcad_workers::serve::<KernelWork>(limits, jobs::Bench::new(settings.cache))
+}
+
+impl Handler<KernelWork> for jobs::Bench {
+    fn work(&mut self, job: &Job, tell: Tell<'_>) -> Result<(Reply, Vec<u8>), Refusal> {
+        Self::work(self, job, tell).map_err(|error| match error.kind {
+            crate::Kind::OutOfMemory => Refusal::OutOfMemory,
+            _ => Refusal::Refused(error.message),
+        })
     }
-    Ok(())
 }

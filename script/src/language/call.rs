@@ -57,7 +57,7 @@ pub(crate) fn apply<'v>(
         named: Vec::new(),
     };
     let bound = splitting(method, given).bind(method.short(), params(method))?;
-    let line = on.recorder.get().line();
+    let line = on.recorder.get().line().unwrap_or(0);
     let node = record(
         method,
         Some(on),

@@ -14,6 +14,7 @@ use core::fmt;
 use allocative::Allocative;
 use assemcad_model::param::{ParamKind, ParamSpec};
 use serde_json::{Map, Value as Json};
+use starlark::environment::Module;
 use starlark::starlark_simple_value;
 use starlark::values::list::AllocList;
 use starlark::values::structs::AllocStruct;
@@ -70,5 +71,33 @@ fn value_of<'v>(heap: Heap<'v>, kind: &ParamKind, value: &Json) -> Value<'v> {
             })))
         }
         _ => Value::new_none(),
+    }
+}
+
+/// Binds values at the top level of a module, except under names that are the language's own.
+pub(crate) fn bind(module: &Module<'_>, given: &Map<String, Json>) {
+    for (name, value) in given {
+        if !name.starts_with(crate::scan::RESERVED_PREFIX) {
+            module.set(name, plain(module.heap(), value));
+        }
+    }
+}
+
+/// A value without a declaration: a number written as 3 is a whole one, as it would be in a script.
+fn plain<'v>(heap: Heap<'v>, value: &Json) -> Value<'v> {
+    match value {
+        Json::Null => Value::new_none(),
+        Json::Bool(flag) => Value::new_bool(*flag),
+        Json::Number(n) => match (n.as_i64(), n.as_f64()) {
+            (Some(whole), _) => heap.alloc(whole),
+            (None, Some(real)) => heap.alloc(real),
+            (None, None) => Value::new_none(),
+        },
+        Json::String(text) => heap.alloc(text.as_str()),
+        Json::Array(items) => heap.alloc(AllocList(items.iter().map(|item| plain(heap, item)))),
+        Json::Object(fields) => {
+            let fields = fields.iter().map(|(k, v)| (k.as_str(), plain(heap, v)));
+            heap.alloc(AllocStruct(fields.collect::<Vec<_>>()))
+        }
     }
 }

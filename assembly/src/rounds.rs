@@ -1,19 +1,19 @@
-//! The rounds of a draft, counted on disk, so that a server started again goes on counting.
+//! The rounds of a draft or of a factory's source, counted on disk, so that a server started again goes on
+//! counting.
 
 use std::collections::BTreeMap;
 
 use assemcad_model::diagnostic::{Diagnostic, Severity};
 use assemcad_model::name;
 use serde::{Deserialize, Serialize};
+use serde_json::{Value, json};
 
 use crate::store::Store;
-
-const FOLDER: &str = ".assemcad/drafts";
 
 /// What a round found.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Round {
-    /// SHA-256 of the draft's text.
+    /// SHA-256 of the text that was tried.
     pub text_sha256: String,
     /// How many errors.
     pub errors: usize,
@@ -24,7 +24,7 @@ pub struct Round {
 }
 
 impl Round {
-    pub(super) fn of(found: &[Diagnostic], text_sha256: String) -> Self {
+    pub(crate) fn of(found: &[Diagnostic], text_sha256: String) -> Self {
         let of = |s: Severity| found.iter().filter(|d| d.severity == s).count();
         let mut codes = BTreeMap::new();
         for d in found {
@@ -42,21 +42,20 @@ impl Round {
 }
 
 impl Store {
-    /// Counts a round of a draft and gives all its rounds, this one the last. A valid one is the last
-    /// of its row: the next begins anew.
+    /// Counts a round of what a folder and a name stand for, and gives all its rounds, this one the last.
+    /// A good one is the last of its row: the next begins anew.
     ///
     /// # Errors
     /// When the count cannot be written. A damaged count begins anew.
-    pub(super) async fn count_round(
+    pub(crate) async fn count_round(
         &self,
+        folder: &str,
         id: Option<&str>,
         round: Round,
         valid: bool,
     ) -> Result<Vec<Round>, Diagnostic> {
-        // No valid name begins with a point, so drafts without a usable name share one count.
-        let name = id.filter(|id| name::is_valid(id)).unwrap_or(".unnamed");
-        let file = format!("{FOLDER}/{name}.json");
-        let _lock = self.lock_folder(FOLDER).await?;
+        let _lock = self.lock_folder(folder).await?;
+        let file = file_of(folder, id);
         let before: Vec<Round> = self.read_json(&file).unwrap_or_default();
         let mut rounds = before.clone();
         if rounds.last().map(|r| &r.text_sha256) != Some(&round.text_sha256) {
@@ -68,4 +67,25 @@ impl Store {
         }
         Ok(rounds)
     }
+
+    /// The rounds so far.
+    #[must_use]
+    pub(crate) fn rounds(&self, folder: &str, id: &str) -> Vec<Round> {
+        self.read_json(&file_of(folder, Some(id)))
+            .unwrap_or_default()
+    }
+}
+
+fn file_of(folder: &str, id: Option<&str>) -> String {
+    // No valid name begins with a point, so texts without a usable name share one count.
+    let name = id.filter(|id| name::is_valid(id)).unwrap_or(".unnamed");
+    format!("{folder}/{name}.json")
+}
+
+/// The last rounds of a row, as a failure tells them.
+pub(crate) fn history(rounds: &[Round]) -> Value {
+    let all = rounds.iter().enumerate();
+    let told = all.map(|(i, r)| json!({"round": i + 1, "errors": r.errors, "codes": r.codes}));
+    // A loop that goes on all the same is told of its last rounds only.
+    told.skip(rounds.len().saturating_sub(10)).collect()
 }

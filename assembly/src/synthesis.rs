@@ -1,0 +1,338 @@
+//! Factories that users write: asked for, held against the gate, kept, and loaded again.
+//!
+//! `factories/NAME@VERSION.star` is a source and `factories/NAME@VERSION.json` on what it was admitted.
+//! A version never changes by itself: a newer source under the same name is a new version, and an
+//! assembly names the version that it was built with.
+
+use std::sync::Arc;
+
+use assemcad_factories::Admitted;
+use assemcad_factories::admission::{
+    Admission, Gate, NAMESPACE, Record, Report, Request, file_name, is_valid_user_name,
+};
+use assemcad_model::canonical::sha256;
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::name;
+use assemcad_model::param::clip;
+use serde_json::json;
+
+use crate::rounds::{self, Round};
+use crate::store::json_bytes;
+use crate::{Faults, Workshop};
+
+/// How many rounds a source has where the server's command line says nothing.
+pub const DEFAULT_ROUNDS: usize = 5;
+
+/// Where admitted factories are kept.
+const FOLDER: &str = "factories";
+
+/// Where the rounds of requests are counted.
+const ROUNDS: &str = ".assemcad/syntheses";
+
+/// What a caller brings.
+#[derive(Debug)]
+pub struct Asked {
+    /// `user.NAME`.
+    pub name: String,
+    /// What is wanted.
+    pub request: Request,
+    /// The source, where there is one already.
+    pub source: Option<String>,
+    /// Whether a factory that works in a part of its ranges only is admitted for that part.
+    pub narrowed: bool,
+}
+
+/// What became of a request.
+#[derive(Debug)]
+pub enum Synthesis {
+    /// A factory was admitted for this very request before.
+    Known(Box<Admitted>),
+    /// There is none: one has to be written.
+    Wanted,
+    /// The source was admitted.
+    Admitted(Box<Admitted>),
+    /// The source is at fault.
+    Refused(Box<Refusal>),
+}
+
+/// Why a source was refused.
+#[derive(Debug)]
+pub struct Refusal {
+    /// Which round of the request this was, from 1.
+    pub round: usize,
+    /// What was found.
+    pub report: Report,
+}
+
+impl Workshop {
+    /// Answers a request for a factory: with one that is known, with the news that one has to be
+    /// written, or with the gate's judgement of the source. What is admitted is on disk when this returns.
+    ///
+    /// # Errors
+    /// Everything that is wrong with the name and the request; the history, where the rounds are used up.
+    pub async fn synthesize(&self, asked: Asked) -> Result<Synthesis, Faults> {
+        let mut faults: Faults = name_fault(self, &asked.name).into_iter().collect();
+        faults.extend(asked.request.faults());
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let hash = asked.request.hash();
+        let Some(source) = &asked.source else {
+            let known = self.registry.admitted_for(&hash);
+            return Ok(known.map_or(Synthesis::Wanted, |a| Synthesis::Known(Box::new(a))));
+        };
+        if let Some(same) = self.same(&asked.name, &hash, source) {
+            return Ok(Synthesis::Known(Box::new(same)));
+        }
+        // Not the request's own hash alone: a new name begins anew.
+        let row = sha256(format!("{}\n{hash}", asked.name).as_bytes());
+        let text = sha256(source.as_bytes());
+        let before = self.store.rounds(ROUNDS, &row);
+        let again = before.last().is_some_and(|r| r.text_sha256 == text);
+        if before.len() >= self.synthesis_rounds && !again {
+            return Err(vec![failed(&asked.name, &before)]);
+        }
+        let gate = self.gate();
+        let judged = gate
+            .judge(&asked.name, source, &asked.request, asked.narrowed)
+            .await;
+        let faults: Faults = match &judged {
+            Ok(_) => Vec::new(),
+            Err(report) => report
+                .findings
+                .iter()
+                .map(|f| f.diagnostic.clone())
+                .collect(),
+        };
+        let history = self
+            .store
+            .count_round(ROUNDS, Some(&row), Round::of(&faults, text), judged.is_ok())
+            .await
+            .map_err(one)?;
+        match judged {
+            Ok(admission) => {
+                let kept = self.keep_factory(&asked, &hash, source, admission).await?;
+                Ok(Synthesis::Admitted(Box::new(kept)))
+            }
+            Err(_) if history.len() >= self.synthesis_rounds => {
+                let mut all = vec![failed(&asked.name, &history)];
+                all.extend(faults);
+                Err(all)
+            }
+            Err(report) => Ok(Synthesis::Refused(Box::new(Refusal {
+                round: history.len(),
+                report: *report,
+            }))),
+        }
+    }
+
+    fn gate(&self) -> Gate<'_> {
+        Gate {
+            pool: &self.pool,
+            evaluator: &self.evaluator,
+        }
+    }
+
+    /// A record and its source as the registry takes them.
+    async fn parsed(&self, record: Record, source: &str) -> Result<Admitted, Faults> {
+        let factory = self.evaluator.parse(&record.name(), source).await?;
+        Ok(Admitted {
+            factory: Arc::new(record.within(factory)),
+            edited: record.source_sha256 != sha256(source.as_bytes()),
+            record: Arc::new(record),
+        })
+    }
+
+    /// The version of this name that has this very source and was admitted for this very request.
+    fn same(&self, name: &str, request_sha256: &str, source: &str) -> Option<Admitted> {
+        let text = sha256(source.as_bytes());
+        self.registry.admitted(name).filter(|a| {
+            !a.edited && a.record.source_sha256 == text && a.record.request_sha256 == request_sha256
+        })
+    }
+
+    /// Keeps an admitted factory as the next version of its name: on disk, then in the registry.
+    async fn keep_factory(
+        &self,
+        asked: &Asked,
+        request_sha256: &str,
+        source: &str,
+        admission: Admission,
+    ) -> Result<Admitted, Faults> {
+        let _lock = self.store.lock_folder(FOLDER).await.map_err(one)?;
+        let newest = self.registry.admitted(&asked.name);
+        let record = Record {
+            format: Record::FORMAT,
+            factory: asked.name.clone(),
+            version: newest.map_or(1, |a| a.record.version + 1),
+            source_sha256: sha256(source.as_bytes()),
+            request_sha256: request_sha256.to_owned(),
+            request: asked.request.clone(),
+            ranges: admission.ranges,
+            evidence: admission.evidence,
+        };
+        self.write(&record, Some(source))?;
+        let admitted = self.parsed(record, source).await?;
+        self.registry.admit(admitted.clone());
+        Ok(admitted)
+    }
+
+    fn write(&self, record: &Record, source: Option<&str>) -> Result<(), Faults> {
+        let path = |extension| {
+            let file = file_name(&record.factory, record.version, extension);
+            format!("{FOLDER}/{file}")
+        };
+        let (star, json) = (path("star"), path("json"));
+        let bytes = json_bytes(&json, record).map_err(one)?;
+        // The record is the last to be moved to its place: a source without one is not admitted.
+        let mut files: Vec<(&str, &[u8])> = Vec::new();
+        files.extend(source.map(|text| (star.as_str(), text.as_bytes())));
+        files.push((&json, &bytes));
+        self.store.write_all(&files).map_err(one)
+    }
+
+    /// Loads the factories that were admitted before. What is at fault is reported and left out.
+    pub async fn load_admitted(&self) -> Faults {
+        let files = match self.store.files_in(FOLDER) {
+            Ok(files) => files,
+            Err(d) => return vec![d],
+        };
+        let mut found = Vec::new();
+        for file in &files {
+            let path = format!("{FOLDER}/{file}");
+            if let Some(stem) = file.strip_suffix(".json") {
+                match self.load(&path, stem).await {
+                    Ok(admitted) => self.registry.admit(admitted),
+                    Err(faults) => found.extend(faults),
+                }
+            } else if let Some(stem) = file.strip_suffix(".star")
+                && !files.contains(&format!("{stem}.json"))
+            {
+                let d = Diagnostic::error(
+                    Code::FileFailed,
+                    path,
+                    "this source was not admitted: there is no record beside it",
+                );
+                found.push(d.hint("give it to synthesize_factory"));
+            }
+        }
+        found
+    }
+
+    async fn load(&self, path: &str, stem: &str) -> Result<Admitted, Faults> {
+        let damaged = |what: &str| {
+            let d = Diagnostic::error(
+                Code::FileDamaged,
+                path,
+                format!("this is no record of a factory: {what}"),
+            );
+            vec![d.hint("give the source to synthesize_factory again")]
+        };
+        let text = self.store.read_text(path).map_err(one)?;
+        let record: Record =
+            serde_json::from_str(&text).map_err(|e| damaged(&format!("line {}", e.line())))?;
+        if record.format != Record::FORMAT {
+            return Err(damaged(&format!("format {}", record.format)));
+        }
+        if record.name() != stem || !is_valid_user_name(&record.factory) {
+            return Err(damaged("it names another factory than its file"));
+        }
+        let source = self
+            .store
+            .read_text(&format!("{FOLDER}/{stem}.star"))
+            .map_err(one)?;
+        self.parsed(record, &source).await
+    }
+
+    /// Looks at a factory again whose source was edited since it was admitted: what passes is admitted
+    /// as it is now, under the same version, for that is what the editor meant.
+    ///
+    /// # Errors
+    /// Everything that is wrong with it.
+    pub(crate) async fn recheck(&self, name: &str) -> Result<(), Faults> {
+        // A name may be short; what is not found is told by whoever asked.
+        let Ok(named) = self.registry.get(name) else {
+            return Ok(());
+        };
+        let edited = || self.registry.admitted(named.name()).filter(|a| a.edited);
+        if edited().is_none() {
+            return Ok(());
+        }
+        let _lock = self.store.lock_folder(FOLDER).await.map_err(one)?;
+        // Another request may have looked at it while this one waited.
+        let Some(now) = edited() else {
+            return Ok(());
+        };
+        let gate = self.gate();
+        let (record, source) = (&now.record, now.factory.source());
+        let narrowed = !record.ranges.is_empty();
+        let judged = gate
+            .judge(&record.name(), source, &record.request, narrowed)
+            .await;
+        let admission = judged.map_err(|report| {
+            let changed = Diagnostic::error(
+                Code::FactoryFailed,
+                format!("factory {}", record.name()),
+                "its source was edited since it was admitted, and does not pass the gate any more",
+            )
+            .hint("mend the file, or give the source to synthesize_factory as a new version");
+            let mut all = vec![changed];
+            all.extend(report.findings.into_iter().map(|f| f.diagnostic));
+            all
+        })?;
+        let record = Record {
+            source_sha256: sha256(source.as_bytes()),
+            ranges: admission.ranges,
+            evidence: admission.evidence,
+            ..Record::clone(record)
+        };
+        self.write(&record, None)?;
+        self.registry.admit(self.parsed(record, source).await?);
+        Ok(())
+    }
+}
+
+fn one(d: Diagnostic) -> Faults {
+    vec![d]
+}
+
+fn name_fault(workshop: &Workshop, name: &str) -> Option<Diagnostic> {
+    if !is_valid_user_name(name) {
+        let d = Diagnostic::error(
+            Code::NameInvalid,
+            "name",
+            "this is no name of a factory of yours",
+        );
+        return Some(
+            d.found(clip(name))
+                .expected(format!("{NAMESPACE}.NAME; NAME is {}", name::RULE)),
+        );
+    }
+    workshop.registry.is_given(name).then(|| {
+        Diagnostic::error(
+            Code::NameTaken,
+            "name",
+            format!("there is a factory '{name}' in the server's own folder of factories"),
+        )
+        .hint("choose another name")
+    })
+}
+
+/// The rounds are used up: what was tried.
+fn failed(name: &str, history: &[Round]) -> Diagnostic {
+    let mut d = Diagnostic::error(
+        Code::SynthesisFailed,
+        format!("factory {name}"),
+        format!(
+            "no source for this request passed the gate in {} rounds",
+            history.len()
+        ),
+    );
+    // Set whole: it is bounded by itself, and a cut text would be no history.
+    d.found = Some(rounds::history(history));
+    d.expected = Some(json!("another name, or another request"));
+    d.hint(
+        "stop and think again about the part: a simpler shape, narrower ranges, fewer expected ports; another \
+         name or a changed request begins anew",
+    )
+}

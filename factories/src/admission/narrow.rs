@@ -1,0 +1,192 @@
+//! The ranges within which a factory was shown to work, where it does not work in all that it declares.
+//!
+//! Each range is drawn in towards the default until its ends are good alone, then all of them together
+//! until the corners and what lies between are good too. What comes out is examined as a whole again.
+
+use std::collections::BTreeMap;
+
+use assemcad_model::param::{ParamKind, ParamSpec};
+use assemcad_script::Factory;
+use serde_json::Value;
+
+use super::gate::{Gate, Outcome};
+use super::record::ranges;
+use super::report::Evidence;
+use super::request::Request;
+use super::sets::Set;
+
+/// How often an end is halved towards the default.
+const HALVINGS: usize = 5;
+
+/// How often all ranges together are drawn in, and to what share.
+const DRAWN_IN: usize = 8;
+const SHARE: f64 = 0.75;
+
+/// The factory within the ranges in which it works, its evidence there, and which ranges were drawn in;
+/// none where it works at its defaults only.
+pub(super) async fn narrow(
+    gate: &Gate<'_>,
+    factory: &Factory,
+    request: &Request,
+) -> Option<(Factory, Evidence, BTreeMap<String, [f64; 2]>)> {
+    let mut specs = factory.params().to_vec();
+    for i in 0..specs.len() {
+        let Some(ends) = specs.get(i).and_then(Ends::of) else {
+            continue;
+        };
+        let mut good = ends.clone();
+        good.low = end(gate, factory, request, &specs, i, (ends.default, ends.low)).await;
+        good.high = end(gate, factory, request, &specs, i, (ends.default, ends.high)).await;
+        if let Some(spec) = specs.get_mut(i) {
+            good.put(spec);
+        }
+    }
+    for _ in 0..DRAWN_IN {
+        let drawn = factory.clone().within(specs.clone());
+        let asked = within(request, &specs);
+        let report = gate.examine(&drawn, &asked).await;
+        if let Some(evidence) = report.evidence {
+            let drawn_in = ranges(factory.params(), &specs);
+            return specs
+                .iter()
+                .any(varies)
+                .then_some((drawn, evidence, drawn_in));
+        }
+        for spec in &mut specs {
+            if let Some(mut ends) = Ends::of(spec) {
+                ends.low = ends.default + SHARE * (ends.low - ends.default);
+                ends.high = ends.default + SHARE * (ends.high - ends.default);
+                ends.put(spec);
+            }
+        }
+    }
+    None
+}
+
+/// The request with the narrowed ranges in the place of its own.
+fn within(request: &Request, specs: &[ParamSpec]) -> Request {
+    let mut request = request.clone();
+    for asked in &mut request.params {
+        let ends = specs
+            .iter()
+            .find(|s| s.name == asked.name)
+            .and_then(Ends::of);
+        if let Some(ends) = ends {
+            (asked.min, asked.max) = (Some(ends.low), Some(ends.high));
+        }
+    }
+    request
+}
+
+/// The outermost good value from the default towards an end, the other parameters at their defaults.
+async fn end(
+    gate: &Gate<'_>,
+    factory: &Factory,
+    request: &Request,
+    specs: &[ParamSpec],
+    index: usize,
+    (default, end): (f64, f64),
+) -> f64 {
+    let (mut good, mut tried) = (default, end);
+    for n in 0..=HALVINGS {
+        let mut specs = specs.to_vec();
+        let Some(spec) = specs.get_mut(index) else {
+            return good;
+        };
+        let value = rounded_inwards(spec, tried, default);
+        if value == good || is_good(gate, factory, request, &specs, (index, value)).await {
+            good = value;
+            if n == 0 {
+                return good;
+            }
+            tried = good + (end - default) / f64::from(1 << (n + 1).min(30));
+        } else {
+            tried = value - (end - default) / f64::from(1 << (n + 1).min(30));
+        }
+    }
+    good
+}
+
+async fn is_good(
+    gate: &Gate<'_>,
+    factory: &Factory,
+    request: &Request,
+    specs: &[ParamSpec],
+    (index, value): (usize, f64),
+) -> bool {
+    let each = specs.iter().enumerate().map(|(i, spec)| {
+        let value = if i == index {
+            as_json(spec, value)
+        } else {
+            spec.default_value()
+        };
+        (spec.name.clone(), value)
+    });
+    let set: Set = each.collect();
+    !matches!(
+        gate.outcome(factory, request, &set).await,
+        Outcome::Failed(_)
+    )
+}
+
+fn as_json(spec: &ParamSpec, value: f64) -> Value {
+    match spec.kind {
+        ParamKind::Integer { .. } => Value::from(value as i64),
+        _ => Value::from(value),
+    }
+}
+
+/// Three decimals, whole for whole numbers, towards the default.
+fn rounded_inwards(spec: &ParamSpec, value: f64, default: f64) -> f64 {
+    let step = match spec.kind {
+        ParamKind::Integer { .. } => 1.0,
+        _ => 1e-3,
+    };
+    let steps = (value - default) / step;
+    // An end as it is declared stays what it is.
+    if (libm::round(steps) - steps).abs() < 1e-6 {
+        return value;
+    }
+    default + libm::trunc(steps) * step
+}
+
+/// The range of a parameter that has one.
+#[derive(Debug, Clone)]
+struct Ends {
+    low: f64,
+    default: f64,
+    high: f64,
+}
+
+impl Ends {
+    fn of(spec: &ParamSpec) -> Option<Self> {
+        let (low, default, high) = match &spec.kind {
+            ParamKind::Number {
+                min, max, default, ..
+            } => (*min, *default, *max),
+            ParamKind::Integer { min, max, default } => (*min as f64, *default as f64, *max as f64),
+            _ => return None,
+        };
+        Some(Self { low, default, high })
+    }
+
+    fn put(&self, spec: &mut ParamSpec) {
+        let (low, high) = (
+            rounded_inwards(spec, self.low, self.default),
+            rounded_inwards(spec, self.high, self.default),
+        );
+        match &mut spec.kind {
+            ParamKind::Number { min, max, .. } => (*min, *max) = (low, high),
+            ParamKind::Integer { min, max, .. } => (*min, *max) = (low as i64, high as i64),
+            _ => {}
+        }
+    }
+}
+
+fn varies(spec: &ParamSpec) -> bool {
+    match &spec.kind {
+        ParamKind::Choice { choices, .. } => choices.len() > 1,
+        ParamKind::Flag { .. } => true,
+        _ => Ends::of(spec).is_some_and(|e| e.high > e.low),
+    }
+}

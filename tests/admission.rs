@@ -1,0 +1,469 @@
+//! What becomes of admitted factories: versions, restarts, edited files, bounded rounds, names.
+
+use serde_json::{Value, json};
+
+use crate::kit::Kit;
+
+/// A disc with a bore, `extra` between the declaration and the solid.
+fn disc(extra: &str, thickness: &str) -> String {
+    format!(
+        "factory(doc = \"A disc with a bore. Frame: on z = 0, axis z. Ports: bore (BORE at the top), back.\", params = {{\n\
+         \x20   \"bore_d\": number(8, 4, 12, doc = \"bore\"),\n\
+         }})\n\
+         {extra}\n\
+         def build(p):\n\
+         \x20   body = cq.Workplane(\"XY\").circle(20).extrude({thickness})\n\
+         \x20   return body.faces(\">Z\").workplane().bore_port(\"bore\", p.bore_d, back = \"back\")\n"
+    )
+}
+
+fn request(name: &str) -> Value {
+    json!({
+        "name": name,
+        "description": "A disc of 40 mm with a bore; frame on its lower face.",
+        "expected_ports": [{"name": "bore", "type": "BORE", "params": {"diameter": "bore_d", "depth": 6}}],
+        "params": [{"name": "bore_d", "default": 8, "min": 4, "max": 12, "doc": "bore"}],
+    })
+}
+
+fn with(mut request: Value, key: &str, value: impl Into<Value>) -> Value {
+    request[key] = value.into();
+    request
+}
+
+fn synthesize(kit: &mut Kit, arguments: Value) -> Value {
+    kit.ok("synthesize_factory", arguments)
+}
+
+fn volume(bore: f64, thickness: f64) -> f64 {
+    core::f64::consts::PI * (400.0 - bore * bore / 4.0) * thickness
+}
+
+fn near(found: &Value, expected: f64) {
+    let found = found.as_f64().unwrap();
+    assert!(
+        (found - expected).abs() < 1e-6 * expected,
+        "{found} {expected}"
+    );
+}
+
+#[test]
+fn a_request_without_a_source_tells_all_that_is_needed_to_write_it() {
+    let mut kit = Kit::new();
+    let answer = synthesize(&mut kit, request("user.disc"));
+    assert_eq!(answer["status"], "wanted");
+    let needed = &answer["to_write"];
+    // The page of the language is the one that is held against the code.
+    let page = include_str!("../docs/language.md");
+    assert!(
+        page.contains(needed["language"].as_str().unwrap().trim()),
+        "the page"
+    );
+    let shown: Vec<&str> = needed["ports"][0]["shown_by"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|s| s.as_str().unwrap())
+        .collect();
+    assert!(
+        shown.contains(&"the wall of the hole") && shown.contains(&"the hole is open at its mouth"),
+        "{shown:?}"
+    );
+    let examples = needed["examples"].as_array().unwrap();
+    assert_eq!(examples.len(), 2);
+    for example in examples {
+        assert!(
+            example["source"].as_str().unwrap().contains("BORE"),
+            "{example}"
+        );
+    }
+    // Five thousand tokens of four characters.
+    assert!(
+        answer.to_string().len() < 20_000,
+        "{}",
+        answer.to_string().len()
+    );
+    assert!(!kit.file("factories").exists());
+}
+
+#[test]
+fn the_hash_of_a_request_is_over_its_parts_each_led_by_its_length() {
+    let mut kit = Kit::new();
+    let answer = synthesize(&mut kit, request("user.disc"));
+    // Computed with Python's hashlib over "assemcad factory request 1\n" and, each as LENGTH:TEXT, the
+    // description, [{"name":"bore","params":{"depth":6,"diameter":"bore_d"},"type":"BORE"}] and
+    // [{"default":8,"doc":"bore","kind":"number","max":12,"min":4,"name":"bore_d","unit":"mm"}].
+    let expected = "73d93584ccff8f724964b7da3e2f8452805248f8921c80d4e17d4b0ed5838203";
+    assert_eq!(answer["request_sha256"], expected);
+    // The name does not count, nor how a number is written; every word of the description does.
+    let same = with(
+        request("user.other"),
+        "params",
+        json!([{"name": "bore_d", "default": 8.0, "min": 4, "max": 12.0, "doc": "bore", "unit": "mm"}]),
+    );
+    assert_eq!(synthesize(&mut kit, same)["request_sha256"], expected);
+    let other = with(
+        request("user.disc"),
+        "description",
+        "A disc of 41 mm with a bore; frame on its lower face.",
+    );
+    assert_ne!(synthesize(&mut kit, other)["request_sha256"], expected);
+}
+
+#[test]
+fn what_is_admitted_lasts_and_old_versions_stay_what_they_were() {
+    let mut kit = Kit::new();
+    let first = synthesize(
+        &mut kit,
+        with(request("user.disc"), "source", disc("", "6")),
+    );
+    assert_eq!(
+        (&first["status"], &first["factory"]),
+        (&json!("admitted"), &json!("user.disc@1"))
+    );
+    near(&first["evidence"]["volume_mm3"], volume(8.0, 6.0));
+    kit.new_assembly("a");
+    kit.part("a", "old", "user.disc", json!({}));
+    let stored =
+        |kit: &Kit| std::fs::read_to_string(kit.file("assemblies/a/assembly.yaml")).unwrap();
+    assert!(stored(&kit).contains("user.disc@1"), "{}", stored(&kit));
+
+    // The same again changes nothing.
+    let before = kit.files();
+    let again = synthesize(
+        &mut kit,
+        with(request("user.disc"), "source", disc("", "6")),
+    );
+    assert_eq!(
+        (&again["status"], &again["factory"]),
+        (&json!("known"), &json!("user.disc@1"))
+    );
+    assert_eq!(before, kit.files());
+
+    // Another source for the same request: the next version, from now on the one that is meant.
+    let second = synthesize(
+        &mut kit,
+        with(
+            request("user.disc"),
+            "source",
+            disc("# the same part in other words", "12 / 2"),
+        ),
+    );
+    assert_eq!(
+        (&second["status"], &second["factory"]),
+        (&json!("admitted"), &json!("user.disc@2"))
+    );
+    let changed = with(
+        request("user.disc"),
+        "expected_ports",
+        json!([{"name": "bore", "type": "BORE", "params": {"depth": 7}}]),
+    );
+    let third = synthesize(&mut kit, with(changed, "source", disc("", "7")));
+    assert_eq!(third["factory"], "user.disc@3");
+
+    // A server that was killed and started again knows them all.
+    let mut kit = kit.killed_and_started_again();
+    let known = synthesize(&mut kit, request("user.whatever"));
+    assert_eq!(
+        (&known["status"], &known["factory"]),
+        (&json!("known"), &json!("user.disc@2"))
+    );
+    let part = kit.part("a", "new", "disc", json!({}));
+    near(&part["volume_mm3"], volume(8.0, 7.0));
+    let old = kit.part("a", "second_old", "user.disc@1", json!({"bore_d": 10}));
+    near(&old["volume_mm3"], volume(10.0, 6.0));
+    let text = stored(&kit);
+    assert!(
+        text.contains("user.disc@1")
+            && text.contains("user.disc@3")
+            && !text.contains("user.disc@2"),
+        "{text}"
+    );
+    let list = kit.ok("list_factories", json!({"name_contains": "disc"}));
+    assert_eq!(list["factories"].as_array().unwrap().len(), 1);
+    assert_eq!(list["factories"][0]["factory"], "user.disc@3");
+    let described = kit.ok("describe_factory", json!({"factory": "user.disc@1"}));
+    assert_eq!(described["factory"], "user.disc@1");
+}
+
+#[test]
+fn the_same_source_leaves_the_same_files_with_any_number_of_workers() {
+    let files = ["1", "2", "4"].map(|workers| {
+        let mut kit = Kit::with(&["--workers", workers]);
+        synthesize(
+            &mut kit,
+            with(request("user.disc"), "source", disc("", "6")),
+        );
+        kit.files()
+    });
+    assert_eq!(files[0].len(), 2, "{:?}", files[0].keys());
+    assert_eq!(files[0], files[1]);
+    assert_eq!(files[0], files[2]);
+}
+
+#[test]
+fn a_source_that_was_edited_is_looked_at_again() {
+    let mut kit = Kit::new();
+    synthesize(
+        &mut kit,
+        with(request("user.disc"), "source", disc("", "6")),
+    );
+    let star = kit.file("factories/user.disc@1.star");
+    let record = kit.file("factories/user.disc@1.json");
+    let before = std::fs::read(&record).unwrap();
+
+    // Good: admitted as it is now, and the record says so.
+    std::fs::write(&star, disc("# edited", "3 + 3")).unwrap();
+    let mut kit = kit.killed_and_started_again();
+    let told = kit.ok("describe_factory", json!({"factory": "user.disc"}));
+    let after = std::fs::read(&record).unwrap();
+    assert_ne!(before, after);
+    let now: Value = serde_json::from_slice(&after).unwrap();
+    assert_eq!(now["source_sha256"], told["source_sha256"]);
+    assert_eq!(now["version"], 1);
+
+    // Bad: refused with the reason, wherever it is used; the record stays.
+    std::fs::write(&star, disc("# edited", "9")).unwrap();
+    let mut kit = kit.killed_and_started_again();
+    let found = kit.refused("describe_factory", json!({"factory": "user.disc@1"}));
+    assert!(
+        found[0]["message"].as_str().unwrap().contains("edited"),
+        "{}",
+        found[0]
+    );
+    assert!(
+        found
+            .iter()
+            .any(|d| d["message"].as_str().unwrap().contains("'depth'")),
+        "{found:?}"
+    );
+    kit.new_assembly("a");
+    kit.refused(
+        "add_part",
+        json!({"assembly": "a", "part": "p", "factory": "user.disc"}),
+    );
+    assert_eq!(std::fs::read(&record).unwrap(), after);
+    // A new version makes it good.
+    let mended = synthesize(
+        &mut kit,
+        with(request("user.disc"), "source", disc("", "6")),
+    );
+    assert_eq!(mended["factory"], "user.disc@2");
+    kit.part("a", "p", "user.disc", json!({}));
+}
+
+#[test]
+fn damaged_records_and_foreign_files_cost_only_themselves() {
+    let mut kit = Kit::new();
+    synthesize(
+        &mut kit,
+        with(request("user.disc"), "source", disc("", "6")),
+    );
+    synthesize(
+        &mut kit,
+        with(request("user.plate"), "source", disc("# another", "6")),
+    );
+    std::fs::write(kit.file("factories/user.disc@1.json"), "{\"format\": 1").unwrap();
+    std::fs::write(kit.file("factories/user.stray@1.star"), disc("", "6")).unwrap();
+    std::fs::write(kit.file("factories/notes.txt"), "nothing").unwrap();
+    let record = std::fs::read_to_string(kit.file("factories/user.plate@1.json")).unwrap();
+    std::fs::write(kit.file("factories/user.copy@1.json"), record).unwrap();
+    let mut kit = kit.killed_and_started_again();
+    let list = kit.ok("list_factories", json!({"name_contains": "user."}));
+    let names: Vec<&Value> = list["factories"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|f| &f["factory"])
+        .collect();
+    assert_eq!(names, ["user.plate@1"]);
+}
+
+#[test]
+fn rounds_are_bounded_by_name_and_request() {
+    let mut kit = Kit::new();
+    let bad = |n: usize| {
+        with(
+            request("user.disc"),
+            "source",
+            disc(&format!("# try {n}"), "5"),
+        )
+    };
+    for n in 1..5 {
+        let answer = synthesize(&mut kit, bad(n));
+        assert_eq!(
+            (&answer["status"], &answer["round"]),
+            (&json!("refused"), &json!(n))
+        );
+    }
+    // The same source again is the same round, also for a server started again.
+    let mut kit = kit.killed_and_started_again();
+    assert_eq!(synthesize(&mut kit, bad(4))["round"], 4);
+    let found = kit.refused("synthesize_factory", bad(5));
+    assert_eq!(found[0]["code"], "synthesis_failed");
+    assert_eq!(found[0]["found"].as_array().unwrap().len(), 5);
+    assert!(found.len() > 1, "the last findings are told too");
+    // Now not even a good one is looked at.
+    let good = with(request("user.disc"), "source", disc("", "6"));
+    assert_eq!(
+        kit.refusal("synthesize_factory", good.clone())["code"],
+        "synthesis_failed"
+    );
+    // A new name begins anew, and so does a changed request.
+    let answer = synthesize(&mut kit, with(bad(5), "name", "user.disc_b"));
+    assert_eq!(
+        (&answer["status"], &answer["round"]),
+        (&json!("refused"), &json!(1))
+    );
+    let answer = synthesize(
+        &mut kit,
+        with(
+            good,
+            "description",
+            "A disc of 40 mm, 6 mm thick, with a bore.",
+        ),
+    );
+    assert_eq!(answer["status"], "admitted");
+}
+
+#[test]
+fn a_factory_that_works_in_a_part_of_its_ranges_is_admitted_for_it_where_that_is_asked() {
+    let mut kit = Kit::new();
+    // Above 9.5 the bore is another than the port says.
+    let source = disc("", "6").replace("p.bore_d,", "min(p.bore_d, 9.5),");
+    let strict = synthesize(
+        &mut kit,
+        with(request("user.disc"), "source", source.clone()),
+    );
+    assert_eq!(strict["status"], "refused");
+    assert_eq!(strict["findings"][0]["at"], json!({"bore_d": 12.0}));
+    let shown = with(
+        with(request("user.disc"), "source", source),
+        "ranges",
+        "as_shown",
+    );
+    let answer = synthesize(&mut kit, shown);
+    assert_eq!(answer["status"], "admitted", "{answer}");
+    let range = &answer["narrowed"]["bore_d"];
+    let high = range[1].as_f64().unwrap();
+    assert_eq!(range[0], 4.0);
+    assert!(high > 9.0 && high <= 9.5, "{high}");
+    let described = kit.ok("describe_factory", json!({"factory": "user.disc"}));
+    assert_eq!(
+        described["params_schema"]["properties"]["bore_d"]["maximum"],
+        json!(high)
+    );
+    let mut kit = kit.killed_and_started_again();
+    kit.new_assembly("a");
+    let d = kit.refusal(
+        "add_part",
+        json!({"assembly": "a", "part": "p", "factory": "user.disc", "params": {"bore_d": 11}}),
+    );
+    assert_eq!(d["code"], "param_invalid");
+}
+
+#[test]
+fn everything_that_is_wrong_with_a_request_is_told_at_once() {
+    let mut kit = Kit::new();
+    let found = kit.refused(
+        "synthesize_factory",
+        json!({
+            "name": "user.../../etc",
+            "description": "  ",
+            "expected_ports": [
+                {"name": "a b", "type": "BORE", "params": {"radius": 4, "depth": true}},
+                {"name": "c", "type": "BORE"}, {"name": "c", "type": "HOLE"},
+            ],
+            "params": [
+                {"name": "Width", "default": 1, "min": 0, "max": 2},
+                {"name": "n", "kind": "integer", "default": 2.5, "min": 1, "max": 4},
+                {"name": "d", "default": 9, "min": 1, "max": 4},
+                {"name": "e", "default": 9},
+                {"name": "w", "kind": "choice", "default": "x", "choices": ["y"]},
+                {"name": "w", "kind": "flag", "default": 1},
+            ],
+        }),
+    );
+    // The schema has found the one that is of no type at all; the rest is found by meaning.
+    let places: Vec<&str> = found.iter().map(|d| d["where"].as_str().unwrap()).collect();
+    assert_eq!(places, ["expected_ports.0.params.depth"]);
+    let found = kit.refused(
+        "synthesize_factory",
+        json!({
+            "name": "user.../../etc",
+            "description": "  ",
+            "expected_ports": [
+                {"name": "a b", "type": "BORE", "params": {"radius": 4}},
+                {"name": "c", "type": "BORE"}, {"name": "c", "type": "HOLE"},
+            ],
+            "params": [
+                {"name": "Width", "default": 1, "min": 0, "max": 2},
+                {"name": "n", "kind": "integer", "default": 2.5, "min": 1, "max": 4},
+                {"name": "d", "default": 9, "min": 1, "max": 4},
+                {"name": "e", "default": 9},
+                {"name": "w", "kind": "choice", "default": "x", "choices": ["y"]},
+                {"name": "w", "kind": "flag", "default": 1},
+            ],
+        }),
+    );
+    let places: Vec<&str> = found.iter().map(|d| d["where"].as_str().unwrap()).collect();
+    assert_eq!(
+        places,
+        [
+            "name",
+            "description",
+            "expected_ports[0].name",
+            "expected_ports[0].params.radius",
+            "expected_ports[2].name",
+            "params[0].name",
+            "params[1].default",
+            "params[2].default",
+            "params[3].min",
+            "params[4].default",
+            "params[5].name",
+            "params[5].default",
+        ]
+    );
+    for name in ["disc", "gear.disc", "user.", "user.a@2", "base_frame.boss"] {
+        let d = kit.refusal("synthesize_factory", request(name));
+        assert_eq!(
+            (&d["code"], &d["where"]),
+            (&json!("name_invalid"), &json!("name")),
+            "{name}"
+        );
+    }
+    assert!(!kit.file("factories").exists());
+}
+
+#[test]
+fn prompts_carry_the_language_as_it_is() {
+    let mut kit = Kit::new();
+    let page = synthesize(&mut kit, request("user.disc"))["to_write"]["language"].clone();
+    for (name, arguments, words) in [
+        (
+            "synthesize",
+            json!({"description": "a wing nut {{LANGUAGE}}"}),
+            ["a wing nut {{LANGUAGE}}", "BORE"],
+        ),
+        (
+            "repair",
+            json!({"source": "def build(p): pass", "findings": "line 1 {{SOURCE}}"}),
+            ["def build(p): pass", "line 1 {{SOURCE}}"],
+        ),
+    ] {
+        let answer = kit
+            .session
+            .request("prompts/get", json!({"name": name, "arguments": arguments}))
+            .unwrap();
+        let text = answer["result"]["messages"][0]["content"]["text"]
+            .as_str()
+            .unwrap()
+            .to_owned();
+        assert!(text.contains(page.as_str().unwrap().trim()), "{name}");
+        for word in words {
+            assert!(text.contains(word), "{name}: {word}");
+        }
+        // Four characters to a token.
+        assert!(text.len() / 4 < 6000, "{name}: {}", text.len() / 4);
+    }
+}

@@ -1,0 +1,262 @@
+//! `synthesize_factory`.
+
+use std::collections::BTreeMap;
+
+use assemcad_assembly::synthesis::{Asked, Refusal, Synthesis};
+use assemcad_assembly::{Faults, Workshop};
+use assemcad_factories::Admitted;
+use assemcad_factories::admission::{
+    AskedParam, Evidence, ExpectedPort, Finding, LayerVerdict, Request, Tally, evidence, nearest,
+};
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use crate::{Effect, Tool};
+
+pub(crate) struct SynthesizeFactory;
+
+/// How many findings an answer holds at most.
+const MOST_FINDINGS: usize = 12;
+
+/// How many factories are shown as examples, and how long they are together at most, in bytes.
+const EXAMPLES: usize = 2;
+const MOST_EXAMPLES: usize = 6000;
+
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct Arguments {
+    /// The factory's name: 'user.' and a name of your choice, such as 'user.clevis'.
+    name: String,
+    /// What the part is, in one to three sentences: function, form, how its frame lies.
+    description: String,
+    /// The ports that the part must have at every set of parameters.
+    expected_ports: Vec<ExpectedPort>,
+    /// What is to be varied, with defaults and ranges; the source must declare the same.
+    params: Vec<AskedParam>,
+    /// The source; or give 'file'. Leave both out to learn what is needed to write it.
+    #[serde(default)]
+    source: Option<String>,
+    /// A file below the server's root folder that holds the source.
+    #[serde(default)]
+    file: Option<String>,
+    /// What is to happen where the source works in a part of its ranges only.
+    #[serde(default)]
+    ranges: Ranges,
+}
+
+/// What is to happen where a source works in a part of its ranges only.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Ranges {
+    /// It is refused.
+    #[default]
+    AsDeclared,
+    /// It is admitted for the ranges in which it was shown to work.
+    AsShown,
+}
+
+/// What became of the request.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Status {
+    /// A factory was admitted for this very request before: use it.
+    Known,
+    /// There is none: write the source.
+    Wanted,
+    /// The source was admitted: use it.
+    Admitted,
+    /// The source is at fault: mend it.
+    Refused,
+}
+
+#[derive(Debug, Serialize, JsonSchema)]
+pub(crate) struct Answer {
+    /// What became of the request.
+    status: Status,
+    /// The factory to use in add_part, with its version.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    factory: Option<String>,
+    /// SHA-256 of description, expected ports and parameters: what names the request.
+    request_sha256: String,
+    /// Which round of this request this was, where the source was refused.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    round: Option<usize>,
+    /// How many rounds there are before the synthesis counts as failed.
+    rounds: usize,
+    /// The three layers of a refusal.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    layers: Vec<LayerVerdict>,
+    /// What is wrong, each fault once, at the simplest set of parameters that shows it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    findings: Vec<Finding>,
+    /// How many findings are not shown; mend those that are first.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    not_shown: Option<usize>,
+    /// How the tried sets of parameters came out, where the source was refused.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tally: Option<Tally>,
+    /// On what the factory was admitted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    evidence: Option<Evidence>,
+    /// Ranges that are narrower than declared: smallest and largest value.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    narrowed: BTreeMap<String, [f64; 2]>,
+    /// What is needed to write the source.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    to_write: Option<ToWrite>,
+}
+
+/// What is needed to write a source.
+#[derive(Debug, Serialize, JsonSchema)]
+struct ToWrite {
+    /// The language, on one page.
+    language: String,
+    /// What the solid will have to show for each expected port.
+    ports: Vec<PortWanted>,
+    /// The factories most like the request.
+    examples: Vec<Example>,
+    /// What to do next.
+    next: String,
+}
+
+/// An expected port and its evidence.
+#[derive(Debug, Serialize, JsonSchema)]
+struct PortWanted {
+    /// Name.
+    name: String,
+    /// What a port of the type is, and where its frame sits.
+    meaning: String,
+    /// What is looked for in the solid, at the defaults.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    shown_by: Vec<String>,
+}
+
+/// A factory as an example.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Example {
+    /// Name.
+    factory: String,
+    /// Source.
+    source: String,
+}
+
+impl Tool for SynthesizeFactory {
+    type Arguments = Arguments;
+    type Answer = Answer;
+    const NAME: &'static str = "synthesize_factory";
+    const TITLE: &'static str = "Synthesize a factory";
+    const DESCRIPTION: &'static str = "Makes a factory for a part that no factory makes. Without 'source' it \
+        returns the factory admitted for the same request before, or all you need to write one (language, \
+        examples, what each port must show). With 'source' it runs it, builds the solid at defaults, ends and \
+        corners of the ranges and probes every port; it is admitted on that evidence, or refused with \
+        findings to mend; a few refused rounds under one name and request end it. Look at list_factories \
+        first.";
+    const EFFECT: Effect = Effect::Adds;
+
+    async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
+        let source = match (a.source, a.file) {
+            (Some(_), Some(_)) => {
+                let message =
+                    "give either 'source' (the text) or 'file' (a path below the root folder)";
+                return Err(vec![Diagnostic::error(
+                    Code::ArgumentInvalid,
+                    "source",
+                    message,
+                )]);
+            }
+            (None, Some(file)) => Some(workshop.store.read_text(&file).map_err(|d| vec![d])?),
+            (source, None) => source,
+        };
+        let request = Request {
+            description: a.description,
+            expected_ports: a.expected_ports,
+            params: a.params,
+        };
+        let mut answer = Answer::of(&request, workshop.synthesis_rounds);
+        let asked = Asked {
+            name: a.name,
+            request: request.clone(),
+            source,
+            narrowed: a.ranges == Ranges::AsShown,
+        };
+        match workshop.synthesize(asked).await? {
+            Synthesis::Known(known) => answer.admitted(Status::Known, &known),
+            Synthesis::Admitted(admitted) => answer.admitted(Status::Admitted, &admitted),
+            Synthesis::Refused(refusal) => answer.refused(*refusal),
+            Synthesis::Wanted => answer.to_write = Some(ToWrite::of(workshop, &request).await),
+        }
+        Ok(answer)
+    }
+}
+
+impl Answer {
+    fn of(request: &Request, rounds: usize) -> Self {
+        Self {
+            status: Status::Wanted,
+            factory: None,
+            request_sha256: request.hash(),
+            round: None,
+            rounds,
+            layers: Vec::new(),
+            findings: Vec::new(),
+            not_shown: None,
+            tally: None,
+            evidence: None,
+            narrowed: BTreeMap::new(),
+            to_write: None,
+        }
+    }
+
+    fn admitted(&mut self, status: Status, admitted: &Admitted) {
+        self.status = status;
+        self.factory = Some(admitted.factory.name().to_owned());
+        self.evidence = Some(admitted.record.evidence.clone());
+        self.narrowed.clone_from(&admitted.record.ranges);
+    }
+
+    fn refused(&mut self, refusal: Refusal) {
+        let Refusal { round, report } = refusal;
+        self.status = Status::Refused;
+        self.round = Some(round);
+        self.layers = report.layers;
+        self.tally = Some(report.tally);
+        self.findings = report.findings;
+        let more = self.findings.len().saturating_sub(MOST_FINDINGS);
+        self.not_shown = (more > 0).then_some(more);
+        self.findings.truncate(MOST_FINDINGS);
+    }
+}
+
+impl ToWrite {
+    async fn of(workshop: &Workshop, request: &Request) -> Self {
+        let defaults = request.defaults();
+        let mut ports = Vec::new();
+        for wanted in &request.expected_ports {
+            ports.push(PortWanted {
+                name: wanted.name.clone(),
+                meaning: wanted.port_type.kind().doc.to_owned(),
+                shown_by: evidence(&workshop.evaluator, wanted, &defaults).await,
+            });
+        }
+        let all = workshop.registry.all();
+        let mut room = MOST_EXAMPLES;
+        let mut examples = Vec::new();
+        for factory in nearest(request, all.iter().map(AsRef::as_ref)) {
+            let source = factory.source();
+            if source.len() <= room && examples.len() < EXAMPLES {
+                room -= source.len();
+                examples.push(Example {
+                    factory: factory.name().to_owned(),
+                    source: source.to_owned(),
+                });
+            }
+        }
+        Self {
+            language: assemcad_script::reference(),
+            ports,
+            examples,
+            next: "call synthesize_factory again with the same arguments and 'source'".to_owned(),
+        }
+    }
+}
