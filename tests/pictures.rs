@@ -480,8 +480,10 @@ fn timings() {
         let took: Vec<String> = (0..3)
             .map(|_| {
                 let start = std::time::Instant::now();
-                let size = render(&mut kit, call.clone()).png.len();
-                format!("{:.2} s, {size} bytes", start.elapsed().as_secs_f64())
+                let answer = kit.session.call("render", call.clone()).unwrap();
+                let took = start.elapsed().as_secs_f64();
+                let size = answer.blocks[1]["data"].as_str().unwrap().len() * 3 / 4;
+                format!("{took:.2} s, {size} bytes")
             })
             .collect();
         println!("{call}: {}", took.join("; "));
