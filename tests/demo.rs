@@ -43,7 +43,13 @@ fn run() -> Result<(), String> {
     for (tool, arguments) in script() {
         println!("> {tool} {arguments}");
         let answer = session.call(tool, arguments)?;
-        println!("  {}", short(tool, &answer.content));
+        match answer.blocks.pointer("/0/text").and_then(Value::as_str) {
+            // A picture's caption; of every other answer the text is the whole object once more.
+            Some(caption) if answer.content.is_null() => {
+                println!("  {}", caption.replace('\n', "\n  "));
+            }
+            _ => println!("  {}", short(tool, &answer.content)),
+        }
         if answer.is_error {
             return Err(format!("{tool} failed"));
         }
@@ -53,7 +59,12 @@ fn run() -> Result<(), String> {
     }
     session.close()?;
     println!("\nleft in {}:", folder.display());
-    for name in ["assembly.yaml", "report.json", "bearing_stand.step"] {
+    for name in [
+        "assembly.yaml",
+        "report.json",
+        "bearing_stand.step",
+        "bearing_stand-isometric.png",
+    ] {
         let size = std::fs::metadata(folder.join(name))
             .map_err(|e| format!("{name}: {e}"))?
             .len();
@@ -156,6 +167,7 @@ fn script() -> Vec<(&'static str, Value)> {
         ),
         ("verify", json!({"assembly": ASSEMBLY})),
         ("export_step", json!({"assembly": ASSEMBLY})),
+        ("render", json!({"assembly": ASSEMBLY, "file": true})),
         ("get_assembly", json!({"assembly": ASSEMBLY})),
     ]
 }

@@ -40,9 +40,10 @@ impl Kit {
             .as_array()
             .unwrap()
             .iter()
-            .map(|t| {
-                let schema = jsonschema::validator_for(&t["outputSchema"]).unwrap();
-                (t["name"].as_str().unwrap().to_owned(), schema)
+            // A tool that answers with a picture has no schema of its answer.
+            .filter_map(|t| {
+                let schema = jsonschema::validator_for(t.get("outputSchema")?).unwrap();
+                Some((t["name"].as_str().unwrap().to_owned(), schema))
             })
             .collect();
         Self {

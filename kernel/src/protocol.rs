@@ -8,7 +8,9 @@ use assemcad_workers::Work;
 pub use assemcad_workers::{Doing, Failure, FailureKind};
 use serde::{Deserialize, Serialize};
 
+use crate::asked::{Body, Chosen, Measured};
 use crate::contact::{Touch, Where};
+use crate::pair::Distance;
 
 /// The kernel's kind of work.
 #[derive(Debug)]
@@ -77,6 +79,27 @@ pub enum Job {
         /// The lines of the file's description.
         description: Vec<String>,
     },
+    /// Triangles and edges of a body.
+    Tessellate {
+        /// The body.
+        body: Body,
+        /// How far a triangle may be from the surface, in mm.
+        deflection: f64,
+        /// How far a triangle may be turned from the surface, in degrees.
+        angle_deg: f64,
+    },
+    /// Extent and centre of a placed part or of faces of it.
+    Measure {
+        /// What is measured.
+        of: Box<Chosen>,
+    },
+    /// The smallest distance of two placed parts, or of faces of them.
+    Distance {
+        /// First.
+        a: Box<Chosen>,
+        /// Second.
+        b: Box<Chosen>,
+    },
 }
 
 impl Job {
@@ -89,6 +112,9 @@ impl Job {
             Self::Probe { .. } => "probes of ports",
             Self::Contact { .. } => "contact",
             Self::Step { .. } => "STEP export",
+            Self::Tessellate { .. } => "triangles",
+            Self::Measure { .. } => "measurement",
+            Self::Distance { .. } => "smallest distance",
         }
     }
 }
@@ -129,6 +155,15 @@ pub enum Reply {
     Contact(Touch),
     /// Of [`Job::Step`]; the file is the message's block.
     Step(StepFacts),
+    /// Of [`Job::Tessellate`]: whether there is anything to draw; the mesh is the message's block.
+    Mesh {
+        /// False where the body is empty.
+        some: bool,
+    },
+    /// Of [`Job::Measure`].
+    Measured(Measured),
+    /// Of [`Job::Distance`].
+    Distance(Distance),
 }
 
 /// What was measured of a solid, in the part's frame.

@@ -8,12 +8,15 @@ use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
-use assemcad_tools::{Effect, Offer, prompts};
+use assemcad_tools::{Effect, Offer, Output, prompts};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD as BASE64;
 use rmcp::model::{
-    CallToolRequestParams, CallToolResponse, CallToolResult, CustomRequest, CustomResult,
-    ErrorCode, GetPromptRequestParams, GetPromptResponse, GetPromptResult, Implementation,
-    ListPromptsResult, ListToolsResult, PaginatedRequestParams, ProgressNotificationParam, Prompt,
-    PromptArgument, PromptMessage, Role, ServerCapabilities, ServerConfig, Tool, ToolAnnotations,
+    CallToolRequestParams, CallToolResponse, CallToolResult, ContentBlock, CustomRequest,
+    CustomResult, ErrorCode, GetPromptRequestParams, GetPromptResponse, GetPromptResult,
+    Implementation, ListPromptsResult, ListToolsResult, PaginatedRequestParams,
+    ProgressNotificationParam, Prompt, PromptArgument, PromptMessage, Role, ServerCapabilities,
+    ServerConfig, Tool, ToolAnnotations,
 };
 use rmcp::service::RequestContext;
 use rmcp::transport::stdio as streams;
@@ -38,7 +41,8 @@ list_factories and describe_factory tell parameters and ports, find_axioms the e
 each mate cites and verify checks.\n\
 The fine-grained tools (new_assembly, add_part, mate, remove, verify, export_step) are for changes to \
 what is there. Every change is on disk when it is answered; assemblies of earlier sessions are there \
-(list_assemblies, get_assembly).\n\
+(list_assemblies, get_assembly). Look at what was built: render draws it, measure tells distances, \
+angles, boxes, masses.\n\
 Units: millimetres and degrees. A port's z points out of the material: a face's outward normal, a \
 hole's way out of its mouth, a shaft's way out of its end. Tools write ports as part:port.\n\
 A call that cannot be done answers with diagnostics, each with the place, the value found, the values \
@@ -96,14 +100,28 @@ fn tool(offer: &Offer) -> Tool {
         Some(true),
         Some(false),
     );
-    Tool::new(
+    let tool = Tool::new(
         offer.name,
         offer.description,
         Arc::new(offer.input_schema.clone()),
     )
     .with_title(offer.title)
-    .with_raw_output_schema(Arc::new(offer.output_schema.clone()))
-    .with_annotations(annotations)
+    .with_annotations(annotations);
+    match &offer.output_schema {
+        Some(schema) => tool.with_raw_output_schema(Arc::new(schema.clone())),
+        None => tool,
+    }
+}
+
+fn answered(output: Output) -> CallToolResult {
+    match output {
+        Output::Object(answer) => CallToolResult::structured(answer),
+        // Without structured content: clients that find some show nothing else to the model.
+        Output::Picture(picture) => CallToolResult::success(vec![
+            ContentBlock::text(picture.caption),
+            ContentBlock::image(BASE64.encode(picture.png), "image/png"),
+        ]),
+    }
 }
 
 impl ServerHandler for Server {
@@ -228,7 +246,7 @@ impl ServerHandler for Server {
             }
         };
         Ok(match result {
-            Ok(answer) => CallToolResult::structured(answer),
+            Ok(output) => answered(output),
             Err(faults) => CallToolResult::structured_error(json!({"diagnostics": faults})),
         }
         .into())

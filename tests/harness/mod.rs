@@ -31,6 +31,8 @@ pub struct Answer {
     pub is_error: bool,
     /// The structured content.
     pub content: Value,
+    /// The blocks of content: texts and pictures.
+    pub blocks: Value,
 }
 
 impl Session {
@@ -157,6 +159,7 @@ impl Session {
                 .get("structuredContent")
                 .cloned()
                 .unwrap_or(Value::Null),
+            blocks: result.get("content").cloned().unwrap_or(Value::Null),
         })
     }
 
