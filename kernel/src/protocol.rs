@@ -60,6 +60,15 @@ pub enum Job {
         /// The surface, in the world.
         place: Where,
     },
+    /// The surface of a solid as triangles.
+    Mesh {
+        /// How to make it.
+        recipe: Recipe,
+        /// How far the triangles may deviate from the surface, in mm.
+        deflection_mm: f64,
+        /// How far they may deviate in direction, in degrees.
+        angle_deg: f64,
+    },
     /// A STEP file of an assembly, read back after writing.
     Step {
         /// The distinct solids.
@@ -82,6 +91,7 @@ impl Job {
             Self::CommonVolume { .. } => "common volume",
             Self::Probe { .. } => "probes of ports",
             Self::Contact { .. } => "contact",
+            Self::Mesh { .. } => "triangles",
             Self::Step { .. } => "STEP export",
         }
     }
@@ -156,6 +166,8 @@ pub enum Reply {
     Probed(Vec<Answer>),
     /// Of [`Job::Contact`].
     Contact(Touch),
+    /// Of [`Job::Mesh`]; the triangles are the message's block, see [`crate::mesh::Mesh::to_bytes`].
+    Meshed,
     /// Of [`Job::Step`]; the file is the message's block.
     Step(StepFacts),
 }

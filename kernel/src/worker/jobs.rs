@@ -86,6 +86,16 @@ impl Bench {
                 let touch = contact::touch(&solid_a.shape, &at_a, &solid_b.shape, &at_b, place)?;
                 Ok((Reply::Contact(touch), Vec::new()))
             }
+            Job::Mesh {
+                recipe,
+                deflection_mm,
+                angle_deg,
+            } => {
+                let (hash, solid, _) = self.solid(recipe, tell)?;
+                tell(doing("triangles", Some(hash)));
+                let mesh = solid.shape.mesh(*deflection_mm, *angle_deg)?;
+                Ok((Reply::Meshed, mesh.to_bytes()))
+            }
             Job::Step {
                 solids,
                 instances,
