@@ -101,7 +101,9 @@ mod tests {
         let stack = way(&[("a", "b"), ("b", "c"), ("a", "c")]);
         assert_eq!(groups(&parts, &[stack]).len(), 3);
         let ring = way(&[("a", "b"), ("b", "c"), ("c", "a")]);
-        assert_eq!(groups(&parts, std::slice::from_ref(&ring)), [parts.clone()]);
+        let left = groups(&parts, std::slice::from_ref(&ring));
+        assert_eq!(left.len(), 1);
+        assert_eq!(left[0], parts);
         // Along another axis one of them comes free, and then the rest along the first.
         let side = way(&[("a", "b"), ("b", "a"), ("a", "c"), ("b", "c")]);
         assert_eq!(groups(&parts, &[ring, side]).len(), 3);

@@ -138,15 +138,22 @@ fn tool<'a>(facts: &'a Facts, part: &'a PartFacts) -> Option<Tool<'a>> {
         }
         _ => return None,
     };
-    let inside = screwed(facts).into_iter().filter_map(|s| {
-        if s.hole.part.id == part.id {
-            Some(s.screw.part.id.as_str())
-        } else if s.screw.part.id == part.id && part.class() == Class::SetScrew {
-            Some(s.hole.part.id.as_str())
-        } else {
-            None
-        }
-    });
+    // What has its own thread on the tool's axis: the screw in a nut, the hole of a set screw.
+    let wanted = match part.class() {
+        Class::Nut => Some(PortType::ThreadExternal),
+        Class::SetScrew => Some(PortType::ThreadInternal),
+        _ => None,
+    };
+    let own = Side { part, port };
+    let threads = |other: &&PartFacts| {
+        let mut ports = other.ports.iter().filter(|p| Some(p.port_type) == wanted);
+        let on_axis = |port| {
+            let seen = own.sees(&Side { part: other, port });
+            seen.is_some_and(|s| collinear(&s))
+        };
+        other.id != part.id && ports.any(on_axis)
+    };
+    let inside = facts.parts.iter().filter(threads).map(|p| p.id.as_str());
     Some(Tool {
         fastener: part,
         port,
