@@ -128,14 +128,14 @@ fn script() -> Vec<(&'static str, Value)> {
             "front_in_block",
             "press_fit",
             ["block:bore_port", "bearing_front:outer_ring"],
-            &["B-01", "C-02"],
+            &["B-01", "C-03"],
             json!({"d_mm": -7, "direction": "same"}),
         ),
         mate(
             "back_in_block",
             "press_fit",
             ["block:bore_port_back", "bearing_back:outer_ring"],
-            &["B-01", "C-02"],
+            &["B-01", "C-03"],
             json!({"d_mm": -7, "direction": "same"}),
         ),
         // The shaft's collar fills the 22 mm between the rings, which hold it both ways: the seat behind it

@@ -163,7 +163,7 @@ impl Kit {
         self.mate(json!({
             "assembly": assembly, "id": "m4", "mate_type": "press_fit",
             "base": "block:bore_port_back", "incoming": "back:outer_ring",
-            "d_mm": -7, "direction": "same", "axioms": ["B-01", "C-02"],
+            "d_mm": -7, "direction": "same", "axioms": ["B-01", "C-03"],
         }));
         self.mate(json!({
             "assembly": assembly, "id": "m5", "mate_type": "coaxial",
@@ -172,6 +172,7 @@ impl Kit {
     }
 
     fn block_with_bearing(&mut self, assembly: &str, ring: &str, shaft: Value) {
+        let fit = if ring == "press_fit" { "C-03" } else { "C-02" };
         self.new_assembly(assembly);
         self.part(assembly, "plate", "base_frame.rect_plate", json!({}));
         self.part(assembly, "block", "base_frame.housing_block", json!({}));
@@ -184,7 +185,7 @@ impl Kit {
         self.mate(json!({
             "assembly": assembly, "id": "m2", "mate_type": ring,
             "base": "block:bore_port", "incoming": "bearing:outer_ring",
-            "d_mm": -7, "direction": "same", "axioms": ["B-01", "C-02"],
+            "d_mm": -7, "direction": "same", "axioms": ["B-01", fit],
         }));
     }
 
