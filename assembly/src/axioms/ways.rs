@@ -216,3 +216,101 @@ fn teeth(side: &Side<'_>) -> Option<Ring> {
     let height = module * (1.25 + side.port.value("profile_shift").abs());
     ring(side, pitch - height, pitch + height)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::rays::tests::block;
+    use super::{directions, look, passages};
+    use assemcad_axioms::facts::Facts;
+    use serde_json::{Value, json};
+
+    fn port(name: &str, port_type: &str, at: [f64; 3], params: Value) -> Value {
+        let frame = json!({"origin": at, "x": [1, 0, 0], "z": [0, 0, 1]});
+        json!({"name": name, "type": port_type, "frame": frame, "params": params})
+    }
+
+    fn facts(mate: &str, one: Value, two: Value) -> Facts {
+        let here = json!([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]);
+        let part = |id: &str, port: Value| json!({"id": id, "factory": "user.part", "ports": [port], "placement": here});
+        serde_json::from_value(json!({
+            "parts": [part("one", one), part("two", two)],
+            "mates": [{
+                "id": "m", "mate_type": mate, "base": {"ref": "one", "port": "p"},
+                "incoming": {"ref": "two", "port": "p"},
+            }],
+        }))
+        .unwrap()
+    }
+
+    fn rings(facts: &Facts) -> Vec<(f64, f64)> {
+        let all = passages(facts, 1, 0);
+        let rings = all.iter().flat_map(|p| &p.rings);
+        rings.map(|r| (r.inner_mm, r.outer_mm)).collect()
+    }
+
+    #[test]
+    fn threads_and_press_fits_pass_in_their_rings() {
+        let thread = |t, length: &str, modelled: f64| {
+            let params = json!({
+                "diameter": 8, "pitch": 1.25, "hand": 1, length: 9, "modelled_diameter": modelled,
+            });
+            port("p", t, [0.0; 3], params)
+        };
+        let screwed = facts(
+            "thread_engage",
+            thread("THREAD_INTERNAL", "depth", 6.6),
+            thread("THREAD_EXTERNAL", "length", 8.0),
+        );
+        assert_eq!(rings(&screwed), [(3.3, 4.0)]);
+        let pressed = facts(
+            "press_fit",
+            port("p", "BORE", [0.0; 3], json!({"diameter": 20, "depth": 9})),
+            port(
+                "p",
+                "SHAFT",
+                [0.0; 3],
+                json!({"diameter": 20.2, "length": 9}),
+            ),
+        );
+        assert_eq!(rings(&pressed), [(10.0, 10.1)]);
+    }
+
+    #[test]
+    fn helical_teeth_pass_where_both_gears_have_teeth() {
+        let gears = |helix: f64| {
+            let gear = |x: f64, helix: f64| {
+                let params = json!({
+                    "module": 2, "teeth": 20, "pressure_angle_deg": 20, "helix_angle_deg": helix,
+                    "width": 10, "internal": 0,
+                });
+                port("p", "GEAR_MESH", [x, 0.0, 0.0], params)
+            };
+            facts("gear_mesh", gear(0.0, helix), gear(40.0, -helix))
+        };
+        // At 60 degrees the pitch circle of 20 teeth of module 2 is twice as wide: 40 mm, and 2.5 mm of teeth.
+        let found = rings(&gears(60.0));
+        assert_eq!(found.len(), 2);
+        for (inner, outer) in found {
+            assert!((inner - 37.5).abs() < 1e-9 && (outer - 42.5).abs() < 1e-9);
+        }
+        // Spur gears need none.
+        assert!(rings(&gears(0.0)).is_empty());
+    }
+
+    #[test]
+    fn a_lid_stops_what_is_under_it_and_one_axis_is_enough() {
+        let on = |t: &str| port("p", t, [0.0; 3], json!({"extent_x": 1, "extent_y": 1}));
+        let facts = facts("face_to_face", on("FLAT_FACE"), on("FLAT_FACE"));
+        // The world's axes, the mate's own first, and ten diagonals.
+        assert_eq!(directions(&facts).len(), 13);
+        let lid = Some(block([0.0, 0.0, 10.0], [10.0, 10.0, 12.0]));
+        let stone = Some(block([0.0; 3], [10.0; 3]));
+        let (ways, thrusts) = look(&facts, &[stone.clone(), lid], Vec::new());
+        assert_eq!((ways.axes.len(), thrusts.len()), (1, 0));
+        let stops = &ways.axes[0].stops;
+        assert_eq!((stops.len(), stops[0].part.as_str()), (1, "one"));
+        // A part that cannot be seen is in no group, and its caller says so.
+        let (ways, _) = look(&facts, &[stone, None], Vec::new());
+        assert!(ways.axes.is_empty());
+    }
+}
