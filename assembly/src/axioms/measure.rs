@@ -183,8 +183,9 @@ fn reaches(facts: &Facts, bodies: &[Option<Body>]) -> Vec<Reach> {
                 known = false;
                 continue;
             };
-            // What lies wholly behind the fastener's end is in no tool's way.
-            if other.reach(&origin, &along) <= end + CLEAR_MM {
+            // What lies wholly beside the tool, or behind the fastener's end, is in no tool's way.
+            let beside = other.beside(&origin, &along, tool.diameter_mm / 2.0);
+            if beside || other.reach(&origin, &along) <= end + CLEAR_MM {
                 continue;
             }
             for ring in RINGS {

@@ -18,6 +18,9 @@ pub(super) struct Crossing {
 pub(super) struct Body {
     points: Vec<Vector3<f64>>,
     triangles: Vec<[usize; 3]>,
+    /// A ball around the solid: its middle and its radius in mm.
+    centre: Vector3<f64>,
+    radius: f64,
     /// How far the triangles may be off the surface, in mm.
     pub(super) deflection_mm: f64,
 }
@@ -25,8 +28,13 @@ pub(super) struct Body {
 impl Body {
     pub(super) fn new(mesh: &Mesh, at: &Placement, deflection_mm: f64) -> Self {
         let world = |p: &[f64; 3]| Vector3::from(at.point(*p));
+        let points: Vec<Vector3<f64>> = mesh.positions.iter().map(world).collect();
+        let centre = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
+        let far = |p: &Vector3<f64>| (p - centre).norm();
         Self {
-            points: mesh.positions.iter().map(world).collect(),
+            centre,
+            radius: points.iter().map(far).fold(0.0, f64::max),
+            points,
             triangles: mesh
                 .triangles
                 .iter()
@@ -36,12 +44,9 @@ impl Body {
         }
     }
 
-    /// The corners of the triangles.
-    fn corners(&self) -> impl Iterator<Item = [Vector3<f64>; 3]> {
-        self.triangles.iter().filter_map(|[a, b, c]| {
-            let at = |n: &usize| self.points.get(*n).copied();
-            Some([at(a)?, at(b)?, at(c)?])
-        })
+    /// Whether the solid is farther than this from a line, judged by the ball around it.
+    pub(super) fn beside(&self, point: &Vector3<f64>, along: &Vector3<f64>, mm: f64) -> bool {
+        (self.centre - point).cross(along).norm() > self.radius + mm
     }
 
     /// How far the solid reaches along a direction, from a point.
@@ -55,25 +60,20 @@ impl Body {
 
     /// Where a ray crosses the surface, ahead of its origin, in order. The direction is a unit vector.
     pub(super) fn crossings(&self, origin: &Vector3<f64>, along: &Vector3<f64>) -> Vec<Crossing> {
+        // A view with the ray as its axis: it crosses what lies about the origin there.
+        let view = View::along(*along);
+        let flat = |p: &Vector3<f64>| {
+            let arm = p - origin;
+            [arm.dot(&view.u), arm.dot(&view.v), arm.dot(&view.d)]
+        };
+        let points: Vec<[f64; 3]> = self.points.iter().map(flat).collect();
         let mut out: Vec<Crossing> = Vec::new();
-        for [a, b, c] in self.corners() {
-            // Moeller and Trumbore: the ray in the triangle's own coordinates.
-            let (ab, ac) = (b - a, c - a);
-            let p = along.cross(&ac);
-            let det = ab.dot(&p);
-            if det.abs() < f64::EPSILON {
+        for corners in &self.triangles {
+            let Some([a, b, c]) = corners_of(&points, corners) else {
                 continue;
-            }
-            let t = origin - a;
-            let u = t.dot(&p) / det;
-            let q = t.cross(&ab);
-            let v = along.dot(&q) / det;
-            let at = ac.dot(&q) / det;
-            if u >= 0.0 && v >= 0.0 && u + v <= 1.0 && at > 0.0 {
-                out.push(Crossing {
-                    at,
-                    enters: det > 0.0,
-                });
+            };
+            if let Some(crossing) = crossing([a, b, c], [0.0, 0.0]).filter(|c| c.at > 0.0) {
+                out.push(crossing);
             }
         }
         out.sort_by(|x, y| x.at.total_cmp(&y.at));
@@ -81,23 +81,47 @@ impl Body {
     }
 
     pub(super) fn seen(&self, view: &View) -> Seen {
-        let flat = |p: &Vector3<f64>| Vector3::new(p.dot(&view.u), p.dot(&view.v), p.dot(&view.d));
-        let points: Vec<Vector3<f64>> = self.points.iter().map(flat).collect();
-        let start = (
-            Vector3::repeat(f64::INFINITY),
-            Vector3::repeat(f64::NEG_INFINITY),
-        );
-        let (low, high) = points
-            .iter()
-            .fold(start, |(low, high), p| (low.inf(p), high.sup(p)));
+        let flat = |p: &Vector3<f64>| [p.dot(&view.u), p.dot(&view.v), p.dot(&view.d)];
+        let points: Vec<[f64; 3]> = self.points.iter().map(flat).collect();
+        let start = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        let (low, high) = points.iter().fold(start, |(low, high), p| {
+            (each(low, *p, f64::min), each(high, *p, f64::max))
+        });
         Seen {
             triangles: self.triangles.clone(),
             points,
-            low,
-            high,
+            low: low.into(),
+            high: high.into(),
             deflection_mm: self.deflection_mm,
         }
     }
+}
+
+// Plain numbers from here on: this is where the time goes.
+
+fn each([a, b, c]: [f64; 3], [d, e, f]: [f64; 3], of: fn(f64, f64) -> f64) -> [f64; 3] {
+    [of(a, d), of(b, e), of(c, f)]
+}
+
+fn corners_of(points: &[[f64; 3]], [a, b, c]: &[usize; 3]) -> Option<[[f64; 3]; 3]> {
+    Some([*points.get(*a)?, *points.get(*b)?, *points.get(*c)?])
+}
+
+/// Where a ray along the third axis, at a place across it, crosses a triangle.
+fn crossing([a, b, c]: [[f64; 3]; 3], [px, py]: [f64; 2]) -> Option<Crossing> {
+    let ([ax, ay, az], [bx, by, bz], [cx, cy, cz]) = (a, b, c);
+    // Twice the area as it is seen: positive where the surface looks along the ray.
+    let area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+    if area.abs() < f64::EPSILON {
+        return None;
+    }
+    let s = ((bx - px) * (cy - py) - (cx - px) * (by - py)) / area;
+    let t = ((cx - px) * (ay - py) - (ax - px) * (cy - py)) / area;
+    let r = 1.0 - s - t;
+    (s >= 0.0 && t >= 0.0 && r >= 0.0).then_some(Crossing {
+        at: s * az + t * bz + r * cz,
+        enters: area < 0.0,
+    })
 }
 
 /// A direction to look along, with two at right angles to it.
@@ -129,7 +153,7 @@ impl View {
 /// A body as it is seen along a view: x and y across it, z along it.
 #[derive(Debug, Clone)]
 pub(super) struct Seen {
-    points: Vec<Vector3<f64>>,
+    points: Vec<[f64; 3]>,
     triangles: Vec<[usize; 3]>,
     pub(super) low: Vector3<f64>,
     pub(super) high: Vector3<f64>,
@@ -195,37 +219,20 @@ impl Seen {
     pub(super) fn crossings(&self, grid: &Grid) -> Vec<Vec<Crossing>> {
         let mut out = vec![Vec::new(); grid.count()];
         let ([left, bottom], [w, h], [x, y]) = (grid.low, grid.cell, IN_CELL);
-        for [a, b, c] in &self.triangles {
-            let at = |n: &usize| self.points.get(*n);
-            let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c)) else {
+        for corners in &self.triangles {
+            let Some([a, b, c]) = corners_of(&self.points, corners) else {
                 continue;
             };
-            let (low, high) = (a.inf(b).inf(c), a.sup(b).sup(c));
-            let (i0, i1) = grid.between(low.x, high.x, left, w, x);
-            let (j0, j1) = grid.between(low.y, high.y, bottom, h, y);
-            if i0 >= i1 || j0 >= j1 {
-                continue;
-            }
-            // Twice the area as it is seen: positive where the surface looks along the view.
-            let area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
-            if area.abs() < f64::EPSILON {
-                continue;
-            }
+            let [low_x, low_y, _] = each(each(a, b, f64::min), c, f64::min);
+            let [high_x, high_y, _] = each(each(a, b, f64::max), c, f64::max);
+            let (i0, i1) = grid.between(low_x, high_x, left, w, x);
+            let (j0, j1) = grid.between(low_y, high_y, bottom, h, y);
             for j in j0..j1 {
                 for i in i0..i1 {
                     let ray = j * grid.side + i;
-                    let [px, py] = grid.point(ray);
-                    let s = ((b.x - px) * (c.y - py) - (c.x - px) * (b.y - py)) / area;
-                    let t = ((c.x - px) * (a.y - py) - (a.x - px) * (c.y - py)) / area;
-                    let r = 1.0 - s - t;
-                    if s < 0.0 || t < 0.0 || r < 0.0 {
-                        continue;
-                    }
-                    if let Some(ray) = out.get_mut(ray) {
-                        ray.push(Crossing {
-                            at: s * a.z + t * b.z + r * c.z,
-                            enters: area < 0.0,
-                        });
+                    let found = crossing([a, b, c], grid.point(ray));
+                    if let (Some(ray), Some(crossing)) = (out.get_mut(ray), found) {
+                        ray.push(crossing);
                     }
                 }
             }

@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 
 use super::rays::Body;
 use super::sight::{Looker, Passage, Ring, SIDE, Stopped};
+use crate::verify::DEFAULT_TAU_MM3;
 
 /// How many pairs are looked at, one axis each, before the question is left open: some seconds of work.
 const MOST_LOOKS: usize = 4000;
@@ -93,22 +94,27 @@ fn pairs(facts: &Facts, parts: &[String]) -> Vec<(usize, usize)> {
 }
 
 /// What stops what of some pairs along an axis; none where not all of them could be looked at. Pairs that
-/// clash are left out: in each other as they are, they would be in each other's way for ever.
+/// overlap more than their mates mean are left out, whether the caller lets them pass or not: in each other as
+/// they are, they would be in each other's way for ever.
 fn stops(
     facts: &Facts,
     looker: &mut Looker<'_>,
     axis: &Vector3<f64>,
     pairs: &[(usize, usize)],
 ) -> Option<Vec<Stop>> {
-    let clash = |a: &str, b: &str| {
+    let clash = |i: usize, j: usize, a: &str, b: &str| {
         let both = |x: &str, y: &str| (x == a && y == b) || (x == b && y == a);
         let mut all = facts.measured.overlaps.iter().flatten();
-        all.any(|o| both(&o.a, &o.b) && o.common_mm3.is_some_and(|c| c > o.allowed_mm3))
+        let most = |allowed: f64| match passages(facts, i, j).is_empty() {
+            true => DEFAULT_TAU_MM3,
+            false => allowed,
+        };
+        all.any(|o| both(&o.a, &o.b) && o.common_mm3.is_some_and(|c| c > most(o.allowed_mm3)))
     };
     let mut out = Vec::new();
     for (i, j) in pairs {
         let (a, b) = (&facts.parts.get(*i)?.id, &facts.parts.get(*j)?.id);
-        if clash(a, b) {
+        if clash(*i, *j, a, b) {
             continue;
         }
         let Stopped { first, second } = looker.pair(axis, *i, *j)?;

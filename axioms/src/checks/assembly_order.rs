@@ -106,8 +106,8 @@ impl AssemblyOrder {
 fn sampled(ways: &Ways) -> String {
     format!(
         "parts are rigid and come in straight, on threads and helices along their axes; seen on {0} by {0} rays \
-         over what two parts have in common in outline, not proven between them; pairs that clash are \
-         another axiom's",
+         over what two parts have in common in outline, not proven between them; pairs that overlap \
+         more than their mates mean are left out",
         ways.rays_a_side
     )
 }
