@@ -87,13 +87,14 @@ impl Workshop {
         check_connectivity(spec, &resolved, &mut run);
         let freedom = check_freedom(spec, &resolved, &placed, &mut run);
         let measured = Measurements {
+            built: &built,
             parts: &parts,
             mates: &mates,
             pairs: &pairs,
             tau_mm3,
             freedom: freedom.as_ref(),
         };
-        let axioms = axioms::run(self, spec, &resolved, &placed, &measured, &mut run);
+        let axioms = axioms::run(self, spec, &resolved, &placed, &measured, &mut run).await;
         let mut not_checked = NOT_CHECKED.map(str::to_owned).to_vec();
         not_checked.extend(axioms::not_checked(&axioms));
         // Stable: within a verdict, the order of the checks and of the specification.

@@ -145,3 +145,32 @@ impl Reader<'_> {
         (0..count).map(|_| self.point()).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Line, Mesh, Turn};
+
+    #[test]
+    fn a_mesh_comes_back_as_it_went() {
+        let mesh = Mesh {
+            positions: vec![[0.0, 0.5, -1.0], [1e-9, 2.0, 3.0], [4.0, 5.0, 6.0]],
+            normals: vec![[0.0, 0.0, 1.0]; 3],
+            triangles: vec![[0, 1, 2], [2, 1, 0]],
+            lines: vec![Line {
+                turn: Turn::of(0),
+                points: vec![[0.0, 0.5, -1.0], [1e-9, 2.0, 3.0]],
+            }],
+        };
+        let bytes = mesh.to_bytes().unwrap();
+        assert_eq!(Mesh::from_bytes(&bytes).as_ref(), Some(&mesh));
+        // Cut short, or with a corner that is no node.
+        for n in [0, 7, 20, bytes.len() - 1] {
+            assert_eq!(Mesh::from_bytes(&bytes[..n]), None, "{n}");
+        }
+        let lost = Mesh {
+            triangles: vec![[0, 1, 3]],
+            ..mesh
+        };
+        assert_eq!(Mesh::from_bytes(&lost.to_bytes().unwrap()), None);
+    }
+}
