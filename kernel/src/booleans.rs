@@ -157,9 +157,13 @@ fn plausible(kind: Kind, a: &Pile, b: &Pile, result: &Pile) -> Result<()> {
         }
         Kind::Cut if volume > a.volume * (1.0 + EQUAL) => wrong("which is more than before"),
         Kind::Cut if volume >= a.volume * (1.0 - EQUAL) && a.solids.len() == 1 => {
+            // Boxes that meet say nothing of a tool that lies in a hole, or where another cut was.
+            let why = match a.bounds.common(&b.bounds) {
+                Some(_) => "there is no material where the tool is",
+                None => "the tool does not reach into the solid",
+            };
             Err(KernelError::refused(format!(
-                "the cut removes nothing: the tool does not reach into the solid; the solid spans {} \
-                 mm, the tool {} mm",
+                "the cut removes nothing: {why}; the solid spans {} mm, the tool {} mm",
                 a.bounds, b.bounds
             )))
         }

@@ -8,7 +8,7 @@ use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
-use assemcad_tools::{Effect, Offer, Output, prompts};
+use assemcad_tools::{Effect, Offer, Output, Writer, prompts};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use rmcp::model::{
@@ -23,6 +23,7 @@ use rmcp::transport::stdio as streams;
 use rmcp::{ErrorData, RoleServer, ServerHandler, ServiceExt};
 use serde_json::json;
 
+use crate::clients_model::ClientsModel;
 use crate::lines;
 use crate::running::Running;
 
@@ -38,7 +39,8 @@ have it checked by validate_draft, which tells every error at once with its line
 realize, which builds, places, verifies and exports it, all or nothing. A machine of 17 parts is one \
 text, not forty calls. The prompt 'decompose' holds the format, the factories and the mates; \
 list_factories and describe_factory tell parameters and ports, find_axioms the engineering rules that \
-each mate cites and verify checks.\n\
+each mate cites and verify checks. For a part that no factory makes, synthesize_factory admits a \
+source that you write, on evidence (prompts 'synthesize' and 'repair').\n\
 The fine-grained tools (new_assembly, add_part, mate, remove, verify, export_step) are for changes to \
 what is there. Every change is on disk when it is answered; assemblies of earlier sessions are there \
 (list_assemblies, get_assembly). Look at what was built: render draws it, measure tells distances, \
@@ -227,9 +229,11 @@ impl ServerHandler for Server {
             Some(offer) => {
                 let (workshop, name) = (Arc::clone(&self.workshop), offer.name);
                 let offers = Arc::clone(&self.offers);
+                let writer = ClientsModel::of(&context);
                 let work = async move {
+                    let writer = writer.as_ref().map(|w| w as &dyn Writer);
                     match offers.get(name) {
-                        Some(offer) => offer.call(&workshop, given).await,
+                        Some(offer) => offer.call(&workshop, given, writer).await,
                         None => Err(Faults::new()),
                     }
                 };

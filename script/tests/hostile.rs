@@ -43,7 +43,7 @@ fn refused(lines: &str, part: &str) -> Diagnostic {
     assert_eq!(d.code, Code::FactoryFailed, "{lines}");
     assert!(d.message.contains(part), "{lines}: {d}");
     assert!(d.message.len() < 1000, "{lines}");
-    let place = d.place.strip_prefix("factory user.part:line ");
+    let place = d.place.strip_prefix("factory user.part, line ");
     let line: usize = place.unwrap_or_else(|| panic!("{d}")).parse().unwrap();
     assert!((3..3 + lines.lines().count()).contains(&line), "{d}");
     d
@@ -194,14 +194,14 @@ fn a_name_is_shown_and_nothing_more() {
         "",
         "/dev/zero",
         "-",
-        "user.x:line 7",
+        "user.x, line 7",
     ] {
         let found = Factory::parse(name, "x = 1\n").unwrap_err();
         for d in found {
             assert_eq!(d.place, format!("factory {name}"));
         }
         let found = script(name, "x = \n").unwrap_err();
-        assert_eq!(found[0].place, format!("factory {name}:line 1"));
+        assert_eq!(found[0].place, format!("factory {name}, line 1"));
     }
 }
 
@@ -251,7 +251,7 @@ fn records_within_records() {
     for n in [5, 60] {
         let found = evaluate(&nested(n)).unwrap_err();
         assert_eq!(found.len(), 1);
-        assert_eq!(found[0].place, "factory user.part:line 6");
+        assert_eq!(found[0].place, "factory user.part, line 6");
         assert!(found[0].message.contains("nested more than 4 deep"));
     }
 }
@@ -307,7 +307,7 @@ fn texts_that_never_end() {
         let start = std::time::Instant::now();
         let found = evaluate(&building(line)).unwrap_err();
         assert_eq!(found.len(), 1, "{line}: {found:?}");
-        assert!(found[0].place.contains(":line "), "{line}: {found:?}");
+        assert!(found[0].place.contains(", line "), "{line}: {found:?}");
         assert!(start.elapsed() < Duration::from_secs(5), "{line}");
     }
 }

@@ -33,6 +33,15 @@ mod verify;
 use answer::Answer;
 pub use answer::Output;
 
+/// A model that writes when it is asked to: the client's own, where the client offers it.
+pub trait Writer: Send + Sync {
+    /// What it writes for a prompt.
+    ///
+    /// # Errors
+    /// Why it wrote nothing.
+    fn write(&self, prompt: String) -> BoxFuture<'_, Result<String, String>>;
+}
+
 /// One tool.
 trait Tool: 'static {
     /// Its arguments, a flat object.
@@ -53,6 +62,15 @@ trait Tool: 'static {
         workshop: &Workshop,
         arguments: Self::Arguments,
     ) -> impl Future<Output = Result<Self::Answer, Faults>> + Send;
+
+    /// Does it with a writer at hand.
+    fn run_with(
+        workshop: &Workshop,
+        arguments: Self::Arguments,
+        _writer: Option<&dyn Writer>,
+    ) -> impl Future<Output = Result<Self::Answer, Faults>> + Send {
+        Self::run(workshop, arguments)
+    }
 }
 
 /// What a tool does to the assemblies. All tools may be called twice with the same effect as once.
@@ -66,7 +84,11 @@ pub enum Effect {
     Removes,
 }
 
-type Handler = for<'a> fn(&'a Workshop, Value) -> BoxFuture<'a, Result<Output, Faults>>;
+type Handler = for<'a> fn(
+    &'a Workshop,
+    Value,
+    Option<&'a dyn Writer>,
+) -> BoxFuture<'a, Result<Output, Faults>>;
 
 /// A tool as a server offers it.
 #[derive(Debug)]
@@ -98,18 +120,18 @@ impl Offer {
             validator: jsonschema::validator_for(&Value::Object(input_schema.clone())).ok(),
             input_schema,
             output_schema: T::Answer::schema(),
-            handler: |workshop, arguments| {
+            handler: |workshop, arguments, writer| {
                 Box::pin(async move {
                     let arguments = serde_json::from_value(arguments)
                         .map_err(|_| vec![arguments::unreadable(T::NAME)])?;
-                    let answer = T::run(workshop, arguments).await?;
+                    let answer = T::run_with(workshop, arguments, writer).await?;
                     answer.output(T::NAME)
                 })
             },
         }
     }
 
-    /// Checks the arguments and runs the tool.
+    /// Checks the arguments and runs the tool; `writer` is there for those that have something written.
     ///
     /// # Errors
     /// Everything that is wrong with the arguments, or else with what they ask for.
@@ -117,6 +139,7 @@ impl Offer {
         &self,
         workshop: &Workshop,
         mut given: Map<String, Value>,
+        writer: Option<&dyn Writer>,
     ) -> Result<Output, Faults> {
         // Models write null for what they leave out.
         given.retain(|_, value| !value.is_null());
@@ -125,7 +148,7 @@ impl Offer {
             return Err(vec![arguments::unreadable(self.name)]);
         };
         arguments::check(validator, &self.input_schema, &given)?;
-        (self.handler)(workshop, given).await
+        (self.handler)(workshop, given, writer).await
     }
 }
 

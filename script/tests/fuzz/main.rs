@@ -103,7 +103,7 @@ fn check_faults(source: &str, faults: &[Diagnostic]) -> Result<(), String> {
         if d.message.is_empty() || d.message.len() > 2000 {
             return wrong("the message's length");
         }
-        let line = d.place.strip_prefix("factory user.fuzz:line ");
+        let line = d.place.strip_prefix("factory user.fuzz, line ");
         match line.map(str::parse::<usize>) {
             Some(Ok(line)) if (1..=lines).contains(&line) => {}
             Some(_) => return wrong("a line that is not there"),
