@@ -142,6 +142,25 @@ fn refused(answer: &Value, expect: &Value) -> Vec<String> {
     wrong
 }
 
+#[test]
+fn a_source_gives_the_same_recipe_on_every_day() {
+    let mut found = String::new();
+    for case in cases() {
+        if yaml(&case.join("expect.yaml"))["outcome"] == "admitted" {
+            let name = case.file_name().unwrap().to_str().unwrap();
+            let source = text(&case.join("source.star"));
+            let factory = assemcad_script::Factory::parse(name, &source).unwrap();
+            let recipe = factory.build(&serde_json::Map::new()).unwrap().recipe;
+            found.push_str(&format!("{} {name}\n", recipe.hash().unwrap()));
+        }
+    }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/synthesis/recipes.txt");
+    if std::env::var_os("ASSEMCAD_ACCEPT").is_some() {
+        std::fs::write(&path, &found).unwrap();
+    }
+    assert_eq!(text(&path), found, "accept with ASSEMCAD_ACCEPT=1");
+}
+
 /// Holds cases to what is expected of them; `slow` ones are those that say so.
 fn run(share: usize, of: usize, slow: bool) {
     let mut kit = Kit::new();
