@@ -243,6 +243,11 @@ fn a_source_that_was_edited_is_looked_at_again() {
         json!({"assembly": "a", "part": "p", "factory": "user.disc"}),
     );
     assert_eq!(std::fs::read(&record).unwrap(), after);
+    // It is not what was admitted for the request.
+    assert_eq!(
+        synthesize(&mut kit, request("user.disc"))["status"],
+        "wanted"
+    );
     // A new version makes it good.
     let mended = synthesize(
         &mut kit,
@@ -250,6 +255,22 @@ fn a_source_that_was_edited_is_looked_at_again() {
     );
     assert_eq!(mended["factory"], "user.disc@2");
     kit.part("a", "p", "user.disc", json!({}));
+}
+
+#[test]
+fn two_servers_over_one_folder_do_not_take_each_others_versions() {
+    let mut kit = Kit::new();
+    let mut other =
+        crate::harness::Session::start(crate::kit::program(), &kit.root(), &[]).unwrap();
+    let theirs = with(request("user.disc"), "source", disc("# theirs", "6"));
+    let answer = other.call("synthesize_factory", theirs).unwrap();
+    assert_eq!(answer.content["factory"], "user.disc@1");
+    let ours = synthesize(
+        &mut kit,
+        with(request("user.disc"), "source", disc("# ours", "6")),
+    );
+    assert_eq!(ours["factory"], "user.disc@2");
+    assert_eq!(kit.files().len(), 4);
 }
 
 #[test]

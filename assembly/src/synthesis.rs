@@ -9,6 +9,7 @@ use std::sync::Arc;
 use assemcad_factories::Admitted;
 use assemcad_factories::admission::{
     Admission, Gate, NAMESPACE, Record, Report, Request, file_name, is_valid_user_name,
+    split_version,
 };
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic};
@@ -161,10 +162,19 @@ impl Workshop {
     ) -> Result<Admitted, Faults> {
         let _lock = self.store.lock_folder(FOLDER).await.map_err(one)?;
         let newest = self.registry.admitted(&asked.name);
+        let newest = newest.map_or(0, |a| a.record.version);
+        // Another server over the same folder may have admitted one that this one does not know.
+        let stored = self.store.files_in(FOLDER).map_err(one)?;
+        let versions = stored.iter().filter_map(|file| {
+            let stem = file.strip_suffix(".json").or(file.strip_suffix(".star"))?;
+            let (name, version) = split_version(stem)?;
+            (name == asked.name).then_some(version)
+        });
+        let newest = versions.max().unwrap_or(0).max(newest);
         let record = Record {
             format: Record::FORMAT,
             factory: asked.name.clone(),
-            version: newest.map_or(1, |a| a.record.version + 1),
+            version: newest + 1,
             source_sha256: sha256(source.as_bytes()),
             request_sha256: request_sha256.to_owned(),
             request: asked.request.clone(),

@@ -230,14 +230,15 @@ impl Registry {
         }
     }
 
-    /// The newest factory that was admitted for a request: of the first name that has one.
+    /// The newest factory that was admitted for a request: of the first name that has one. One whose
+    /// source was edited since is not what was admitted.
     #[must_use]
     pub fn admitted_for(&self, request_sha256: &str) -> Option<Admitted> {
         let all = self.admitted.read().unwrap_or_else(PoisonError::into_inner);
         let of = |versions: &BTreeMap<u32, Admitted>| {
             let mut newest = versions.values().rev();
             newest
-                .find(|a| a.record.request_sha256 == request_sha256)
+                .find(|a| !a.edited && a.record.request_sha256 == request_sha256)
                 .cloned()
         };
         all.values().find_map(of)
