@@ -46,8 +46,8 @@ pub fn sets(specs: &[ParamSpec]) -> Vec<(Origin, Set)> {
     }
     all.extend(corners(specs).into_iter().map(|set| (Origin::Corner, set)));
     let between = (1..=SPREAD).map(|n| {
-        let each = specs.iter().zip(PRIMES.into_iter().cycle());
-        let set = each.map(|(s, prime)| (s.name.clone(), at(s, radical_inverse(n, prime))));
+        let each = specs.iter().enumerate();
+        let set = each.map(|(i, s)| (s.name.clone(), at(s, share(n, i))));
         (Origin::Between, set.collect())
     });
     all.extend(between);
@@ -113,12 +113,7 @@ fn corners(specs: &[ParamSpec]) -> Vec<Set> {
             .collect(),
         _ => (1..=MOST_CORNERS)
             .map(|n| {
-                pick(&|i, len| {
-                    let prime = PRIMES.iter().cycle().nth(i).copied().unwrap_or(2);
-                    // A step of its own for each parameter keeps those that share a prime apart.
-                    let share = radical_inverse(n + 7 * (i / PRIMES.len()), prime);
-                    ((share * len as f64) as usize).min(len.saturating_sub(1))
-                })
+                pick(&|i, len| ((share(n, i) * len as f64) as usize).min(len.saturating_sub(1)))
             })
             .collect(),
     }
@@ -151,24 +146,23 @@ fn at(spec: &ParamSpec, share: f64) -> Value {
     }
 }
 
-/// The first primes, a base for each parameter.
+/// The first primes, one for each parameter.
 const PRIMES: [usize; 16] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53];
 
-/// The digits of `n` in a base, mirrored at the point: the van der Corput sequence, of which one base for
-/// each dimension makes Halton's points (J. H. Halton, Numerische Mathematik 2, 1960).
-fn radical_inverse(mut n: usize, base: usize) -> f64 {
-    let (mut value, mut digit) = (0.0, 1.0 / base as f64);
-    while n > 0 {
-        value += digit * (n % base) as f64;
-        digit /= base as f64;
-        n /= base;
-    }
-    value
+/// The share of the `n`-th set for the `i`-th parameter: the fraction of `n` times the root of a prime, which
+/// is spread evenly from its first terms on (H. Weyl, Mathematische Annalen 77, 1916). Roots are correctly
+/// rounded everywhere.
+fn share(n: usize, i: usize) -> f64 {
+    let prime = PRIMES.iter().cycle().nth(i).copied().unwrap_or(2);
+    // Parameters that share a prime begin at different terms.
+    let term = (n + 7 * (i / PRIMES.len())) as f64;
+    let value = term * libm::sqrt(prime as f64);
+    value - libm::floor(value)
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{Origin, differing, radical_inverse, sets};
+    use super::{Origin, differing, sets, share};
     use assemcad_model::param::{ParamKind, ParamSpec};
     use serde_json::json;
 
@@ -186,15 +180,13 @@ mod tests {
     }
 
     #[test]
-    fn the_first_points_of_halton() {
-        for (n, base, value) in [
-            (1, 2, 0.5),
-            (2, 2, 0.25),
-            (3, 2, 0.75),
-            (6, 2, 0.375),
-            (4, 3, 4.0 / 9.0),
+    fn shares_are_fractions_of_multiples_of_roots() {
+        for (n, i, value) in [
+            (1, 0, 0.414_213_562_373_095_1),
+            (3, 1, 0.196_152_422_706_631_9),
+            (2, 2, 0.472_135_954_999_579_4),
         ] {
-            assert!((radical_inverse(n, base) - value).abs() < 1e-15);
+            assert!((share(n, i) - value).abs() < 1e-14);
         }
     }
 
