@@ -4,6 +4,7 @@
 //! is written back before the operation returns, so that a killed server loses nothing.
 
 mod axioms;
+pub mod bill;
 pub mod build;
 mod contact_check;
 pub mod draft;
@@ -12,9 +13,13 @@ pub mod export;
 mod freedom_check;
 mod interference;
 mod made;
+mod near;
+pub mod page;
 pub mod place;
+mod port_use;
 mod ports_check;
 pub mod realize;
+pub mod report_files;
 pub mod resolve;
 mod rounds;
 pub mod state;

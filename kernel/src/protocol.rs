@@ -9,6 +9,7 @@ pub use assemcad_workers::{Doing, Failure, FailureKind};
 use serde::{Deserialize, Serialize};
 
 use crate::contact::{Touch, Where};
+use crate::pair::Distance;
 
 /// The kernel's kind of work.
 #[derive(Debug)]
@@ -66,6 +67,13 @@ pub enum Job {
         /// The surface, in the world.
         place: Where,
     },
+    /// The smallest distance of two placed solids.
+    Gap {
+        /// First solid.
+        a: Box<Placed>,
+        /// Second solid.
+        b: Box<Placed>,
+    },
     /// A STEP file of an assembly, read back after writing.
     Step {
         /// The distinct solids.
@@ -88,6 +96,7 @@ impl Job {
             Self::CommonVolume { .. } => "common volume",
             Self::Probe { .. } => "probes of ports",
             Self::Contact { .. } => "contact",
+            Self::Gap { .. } => "gap",
             Self::Step { .. } => "STEP export",
         }
     }
@@ -127,6 +136,8 @@ pub enum Reply {
     Probed(Vec<Answer>),
     /// Of [`Job::Contact`].
     Contact(Touch),
+    /// Of [`Job::Gap`].
+    Gap(Distance),
     /// Of [`Job::Step`]; the file is the message's block.
     Step(StepFacts),
 }

@@ -78,6 +78,14 @@ impl Bench {
                 let touch = contact::touch(&solid_a.shape, &at_a, &solid_b.shape, &at_b, place)?;
                 Ok((Reply::Contact(touch), Vec::new()))
             }
+            Job::Gap { a, b } => {
+                let (_, solid_a, _) = self.solid(&a.recipe, tell)?;
+                let (_, solid_b, _) = self.solid(&b.recipe, tell)?;
+                tell(doing("gap", None));
+                let (at_a, at_b) = (Placement::from(a.placement), Placement::from(b.placement));
+                let gap = pair::distance(&solid_a.shape, &at_a, &solid_b.shape, &at_b)?;
+                Ok((Reply::Gap(gap), Vec::new()))
+            }
             Job::Step {
                 solids,
                 instances,
