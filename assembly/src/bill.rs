@@ -1,8 +1,10 @@
 //! Mass and bill of materials.
 
 use assemcad_kernel::protocol::Built;
+use assemcad_model::canonical;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{BillLine, Mass, PartFacts, rounded};
+use serde_json::{Map, Value};
 
 use crate::place::Placed;
 use crate::resolve::Resolved;
@@ -53,10 +55,10 @@ pub(crate) fn lines(resolved: &Resolved, facts: &[PartFacts]) -> Result<Vec<Bill
             .recipe
             .hash()
             .map_err(|e| Diagnostic::error(Code::Internal, &part.id, e.to_string()))?;
+        let params = written(&part.made.params)
+            .map_err(|e| Diagnostic::error(Code::Internal, &part.id, e.to_string()))?;
         let same = |l: &&mut BillLine| {
-            l.factory == part.factory
-                && l.recipe_sha256 == recipe_sha256
-                && l.params == part.made.params
+            l.factory == part.factory && l.recipe_sha256 == recipe_sha256 && l.params == params
         };
         if let Some(line) = lines.iter_mut().find(same) {
             line.count += 1;
@@ -67,11 +69,17 @@ pub(crate) fn lines(resolved: &Resolved, facts: &[PartFacts]) -> Result<Vec<Bill
             count: 1,
             designation: part.made.designation.clone(),
             factory: part.factory.clone(),
-            params: part.made.params.clone(),
+            params,
             recipe_sha256,
             mass_kg: fact.mass_kg,
             parts: vec![part.id.clone()],
         });
     }
     Ok(lines)
+}
+
+/// Parameters in the one form that equal ones have: 8, 8.0 and 8e0 are the same number, and a specification
+/// may have them in any order.
+fn written(params: &Map<String, Value>) -> Result<Map<String, Value>, serde_json::Error> {
+    serde_json::from_slice(&canonical::to_bytes(params)?)
 }

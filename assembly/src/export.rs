@@ -231,9 +231,10 @@ fn of_specification(sha256: &str) -> String {
 
 /// Whether a STEP file's description says that it is of this specification.
 pub(crate) fn names_specification(step: &[u8], sha256: &str) -> bool {
-    // It stands in the first lines.
-    let head = step.get(..step.len().min(4096)).unwrap_or_default();
-    String::from_utf8_lossy(head).contains(&of_specification(sha256))
+    // It stands in the first lines, which are broken anywhere.
+    let head = step.iter().take(4096).copied();
+    let head: Vec<u8> = head.filter(|c| !matches!(c, b'\n' | b'\r')).collect();
+    String::from_utf8_lossy(&head).contains(&of_specification(sha256))
 }
 
 /// The distinct solids, in the order in which they first appear, and the parts as their instances.

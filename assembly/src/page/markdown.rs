@@ -65,7 +65,8 @@ fn fenced(code: &str) -> String {
 fn text(plain: &str) -> String {
     let mut out = String::with_capacity(plain.len());
     let mut start = true;
-    for c in plain.chars() {
+    let mut chars = plain.chars().peekable();
+    while let Some(c) = chars.next() {
         match c {
             '&' => out.push_str("&amp;"),
             '<' => out.push_str("&lt;"),
@@ -80,8 +81,8 @@ fn text(plain: &str) -> String {
                 out.push('\\');
                 out.push(c);
             }
-            // A scheme or an address is not to become a link.
-            ':' => out.push_str("&#58;"),
+            // An address is not to become a link.
+            ':' if chars.peek() == Some(&'/') => out.push_str("&#58;"),
             '@' => out.push_str("&#64;"),
             c if c.is_control() => out.push(' '),
             c => out.push(c),

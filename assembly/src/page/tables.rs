@@ -15,11 +15,11 @@ fn as_written(value: &impl Serialize) -> String {
 
 /// A number, or a dash where it is not known.
 fn number(value: Option<f64>) -> String {
-    value.map_or_else(|| "-".to_owned(), |v| v.to_string())
+    value.map_or_else(|| "–".to_owned(), |v| v.to_string())
 }
 
 fn point(value: Option<[f64; 3]>) -> String {
-    value.map_or_else(|| "-".to_owned(), |[x, y, z]| format!("{x}, {y}, {z}"))
+    value.map_or_else(|| "–".to_owned(), |[x, y, z]| format!("{x}, {y}, {z}"))
 }
 
 pub(super) fn checks(report: &Report) -> Table {
@@ -88,7 +88,7 @@ pub(super) fn bill(report: &Report) -> Table {
             .map(|l| {
                 vec![
                     l.count.to_string(),
-                    l.designation.clone().unwrap_or_else(|| "-".to_owned()),
+                    l.designation.clone().unwrap_or_else(|| "–".to_owned()),
                     l.factory.clone(),
                     params(&l.params),
                     number(l.mass_kg),
@@ -114,7 +114,7 @@ pub(super) fn mates(report: &Report) -> Table {
                     m.base.clone(),
                     m.incoming.clone(),
                     word(m.verdict).to_owned(),
-                    m.contact.map_or("-", word).to_owned(),
+                    m.contact.map_or("–", word).to_owned(),
                     number(m.contact_area_mm2),
                     number(m.radial_play_mm),
                     m.axioms.join(", "),
