@@ -24,3 +24,4 @@ mod script_workers;
 mod sessions;
 mod synthesis;
 mod verification;
+mod verification_cases;
