@@ -12,6 +12,7 @@ test: setup
 # Every built-in factory at two hundred random parameter sets, and gears at all corners of their ranges.
 test-factories: setup
 	$(CARGO) test --quiet -p assemcad-factories --test parts -- --ignored --skip timings
+	$(CARGO) test --quiet -p assemcad --test sessions the_slow_cases -- --ignored
 
 # Sources made worse at random, for so many seconds from so many different seeds: `make fuzz SECONDS=600 SEED=7`.
 SECONDS ?= 120

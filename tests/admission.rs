@@ -467,3 +467,93 @@ fn prompts_carry_the_language_as_it_is() {
         assert!(text.len() / 4 < 6000, "{name}: {}", text.len() / 4);
     }
 }
+
+/// What a client's model answers to the server's requests, one after the other.
+fn answered(
+    session: &mut crate::harness::Session,
+    call: u64,
+    sources: &[String],
+) -> (Value, Vec<String>) {
+    let (mut asked, mut sources) = (Vec::new(), sources.iter());
+    loop {
+        let message = session
+            .message(std::time::Duration::from_secs(120))
+            .unwrap();
+        if message["method"] == "sampling/createMessage" {
+            asked.push(
+                message["params"]["messages"][0]["content"]["text"]
+                    .as_str()
+                    .unwrap()
+                    .to_owned(),
+            );
+            let text = format!(
+                "Here it is:\n```python\n{}```\nIt has the bore.",
+                sources.next().unwrap()
+            );
+            let answer = json!({
+                "jsonrpc": "2.0", "id": message["id"],
+                "result": {"role": "assistant", "model": "m", "stopReason": "endTurn", "content": {"type": "text", "text": text}},
+            });
+            session.send(&answer.to_string()).unwrap();
+        } else if message["id"] == call && !message["result"].is_null() {
+            return (message["result"]["structuredContent"].clone(), asked);
+        }
+    }
+}
+
+#[test]
+fn a_client_that_runs_its_model_for_the_server_has_the_whole_loop_in_one_call() {
+    let root = tempfile::tempdir().unwrap();
+    let mut session =
+        crate::harness::Session::spawn(crate::kit::program(), root.path(), &[]).unwrap();
+    let hello = json!({
+        "protocolVersion": "2025-11-25", "capabilities": {"sampling": {}},
+        "clientInfo": {"name": "with_a_model", "version": "1"},
+    });
+    session.request("initialize", hello).unwrap();
+    session
+        .send(&json!({"jsonrpc": "2.0", "method": "notifications/initialized"}).to_string())
+        .unwrap();
+    let arguments = with(request("user.disc"), "write", true);
+    let call = session.begin_call("synthesize_factory", arguments).unwrap();
+    let (answer, asked) = answered(&mut session, call, &[disc("", "5"), disc("", "6")]);
+    assert_eq!(
+        (&answer["status"], &answer["factory"]),
+        (&json!("admitted"), &json!("user.disc@1")),
+        "{answer}"
+    );
+    assert!(
+        asked[0].contains("A disc of 40 mm with a bore")
+            && asked[0].contains("# The factory language")
+    );
+    assert!(
+        asked[1].contains("extrude(5)") && asked[1].contains("'depth' of the port 'bore' is 5"),
+        "{}",
+        asked[1]
+    );
+
+    // The agent's own loop leaves the same files.
+    let mut kit = Kit::new();
+    assert_eq!(
+        synthesize(&mut kit, with(request("user.disc"), "write", true))["status"],
+        "wanted"
+    );
+    assert_eq!(
+        synthesize(
+            &mut kit,
+            with(request("user.disc"), "source", disc("", "5"))
+        )["status"],
+        "refused"
+    );
+    synthesize(
+        &mut kit,
+        with(request("user.disc"), "source", disc("", "6")),
+    );
+    for (name, bytes) in kit.files() {
+        assert_eq!(
+            std::fs::read(root.path().join(&name)).unwrap(),
+            bytes,
+            "{name}"
+        );
+    }
+}

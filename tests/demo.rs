@@ -43,7 +43,13 @@ fn run() -> Result<(), String> {
     for (tool, arguments) in script() {
         println!("> {tool} {arguments}");
         let answer = session.call(tool, arguments)?;
-        println!("  {}", short(tool, &answer.content));
+        match answer.blocks.pointer("/0/text").and_then(Value::as_str) {
+            // A picture's caption; of every other answer the text is the whole object once more.
+            Some(caption) if answer.content.is_null() => {
+                println!("  {}", caption.replace('\n', "\n  "));
+            }
+            _ => println!("  {}", short(tool, &answer.content)),
+        }
         if answer.is_error {
             return Err(format!("{tool} failed"));
         }
@@ -53,7 +59,12 @@ fn run() -> Result<(), String> {
     }
     session.close()?;
     println!("\nleft in {}:", folder.display());
-    for name in ["assembly.yaml", "report.json", "bearing_stand.step"] {
+    for name in [
+        "assembly.yaml",
+        "report.json",
+        "bearing_stand.step",
+        "bearing_stand-isometric.png",
+    ] {
         let size = std::fs::metadata(folder.join(name))
             .map_err(|e| format!("{name}: {e}"))?
             .len();
@@ -114,7 +125,7 @@ fn script() -> Vec<(&'static str, Value)> {
         part(
             "shaft",
             "base_frame.stepped_shaft",
-            json!({"segments": [{"d": 20, "length": 70}, {"d": 26, "length": 8}, {"d": 20, "length": 40}]}),
+            json!({"segments": [{"d": 20, "length": 60}, {"d": 26, "length": 22}, {"d": 20, "length": 40}]}),
         ),
         mate(
             "block_on_plate",
@@ -126,25 +137,26 @@ fn script() -> Vec<(&'static str, Value)> {
         // Each bearing flush with its end of the bore: its middle half its width behind the mouth.
         mate(
             "front_in_block",
-            "coaxial",
+            "press_fit",
             ["block:bore_port", "bearing_front:outer_ring"],
-            &["B-01", "C-02"],
+            &["B-01", "C-03"],
             json!({"d_mm": -7, "direction": "same"}),
         ),
         mate(
             "back_in_block",
-            "coaxial",
+            "press_fit",
             ["block:bore_port_back", "bearing_back:outer_ring"],
-            &["B-01", "C-02"],
+            &["B-01", "C-03"],
             json!({"d_mm": -7, "direction": "same"}),
         ),
-        // The shaft's collar against the front ring: the seat's middle half its length behind the mouth.
+        // The shaft's collar fills the 22 mm between the rings, which hold it both ways: the seat behind it
+        // begins where the front ring does, and its middle is 6 mm before the ring's mouth.
         mate(
             "shaft_in_front",
             "coaxial",
-            ["bearing_front:inner_ring", "shaft:shaft_seat_1"],
-            &["P-01"],
-            json!({"d_mm": -35, "direction": "same"}),
+            ["bearing_front:inner_ring", "shaft:shaft_seat_3"],
+            &["B-03", "P-01"],
+            json!({"d_mm": 6, "direction": "same"}),
         ),
         // Both parts have a place already: this one is checked.
         mate(
@@ -156,6 +168,7 @@ fn script() -> Vec<(&'static str, Value)> {
         ),
         ("verify", json!({"assembly": ASSEMBLY})),
         ("export_step", json!({"assembly": ASSEMBLY})),
+        ("render", json!({"assembly": ASSEMBLY, "file": true})),
         ("get_assembly", json!({"assembly": ASSEMBLY})),
     ]
 }

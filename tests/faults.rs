@@ -224,6 +224,32 @@ fn an_operation_that_the_kernel_cannot_do() {
 }
 
 #[test]
+fn a_slow_call_tells_signs_of_life_where_they_are_asked_for() {
+    let mut kit = kit(&["--workers", "1"]);
+    let slow = kit
+        .session
+        .begin(
+            "tools/call",
+            json!({
+                "name": "add_part", "arguments": add("slow", "test.endless"),
+                "_meta": {"progressToken": "mine"},
+            }),
+        )
+        .unwrap();
+    for n in 1..=2 {
+        let sign = kit.session.message(Duration::from_secs(20)).unwrap();
+        assert_eq!(sign["method"], "notifications/progress", "{sign}");
+        assert_eq!(sign["params"]["progressToken"], "mine");
+        assert_eq!(sign["params"]["progress"].as_f64(), Some(f64::from(n)));
+    }
+    let cancel = json!({
+        "jsonrpc": "2.0", "method": "notifications/cancelled", "params": {"requestId": slow},
+    });
+    kit.session.send(&cancel.to_string()).unwrap();
+    goes_on(&mut kit);
+}
+
+#[test]
 fn a_cancelled_call_frees_its_worker() {
     let mut kit = kit(&["--workers", "1"]);
     let slow = kit

@@ -40,9 +40,10 @@ impl Kit {
             .as_array()
             .unwrap()
             .iter()
-            .map(|t| {
-                let schema = jsonschema::validator_for(&t["outputSchema"]).unwrap();
-                (t["name"].as_str().unwrap().to_owned(), schema)
+            // A tool that answers with a picture has no schema of its answer.
+            .filter_map(|t| {
+                let schema = jsonschema::validator_for(t.get("outputSchema")?).unwrap();
+                Some((t["name"].as_str().unwrap().to_owned(), schema))
             })
             .collect();
         Self {
@@ -137,22 +138,9 @@ impl Kit {
     }
 
     /// A block on a plate, a bearing flush in its bore and a shaft through it: four parts. In geometry
-    /// all is right; as a machine it is not whole, since one bearing lets the shaft tilt.
+    /// all is right; as a machine it is not whole, since one bearing lets the shaft tilt and creep out.
     pub fn stand(&mut self, assembly: &str) {
-        self.new_assembly(assembly);
-        self.part(assembly, "plate", "base_frame.rect_plate", json!({}));
-        self.part(assembly, "block", "base_frame.housing_block", json!({}));
-        self.part(assembly, "bearing", "bearing.ball", json!({}));
-        self.part(assembly, "shaft", "base_frame.stepped_shaft", json!({}));
-        self.mate(json!({
-            "assembly": assembly, "id": "m1", "mate_type": "face_to_face",
-            "base": "plate:top_face", "incoming": "block:bottom_face", "axioms": ["C-01"],
-        }));
-        self.mate(json!({
-            "assembly": assembly, "id": "m2", "mate_type": "coaxial",
-            "base": "block:bore_port", "incoming": "bearing:outer_ring",
-            "d_mm": -7, "direction": "same", "axioms": ["B-01", "C-02"],
-        }));
+        self.block_with_bearing(assembly, "coaxial", json!({}));
         self.mate(json!({
             "assembly": assembly, "id": "m3", "mate_type": "coaxial",
             "base": "bearing:inner_ring", "incoming": "shaft:shaft_seat_1",
@@ -160,18 +148,45 @@ impl Kit {
         }));
     }
 
-    /// The stand with a second bearing at the other end of the bore: five parts, and a machine that holds.
+    /// The stand with a second bearing at the other end of the bore, both pressed in, and the shaft's collar
+    /// of 12 mm between them: five parts, and a machine that holds.
     pub fn whole_stand(&mut self, assembly: &str) {
-        self.stand(assembly);
+        let segments = [(20, 60), (25, 12), (20, 40)];
+        let segments = segments.map(|(d, length)| json!({"d": d, "length": length}));
+        self.block_with_bearing(assembly, "press_fit", json!({"segments": segments}));
+        // The seat behind the collar, its middle 6 mm before the bearing's front.
+        self.mate(json!({
+            "assembly": assembly, "id": "m3", "mate_type": "coaxial",
+            "base": "bearing:inner_ring", "incoming": "shaft:shaft_seat_3",
+            "d_mm": 6, "direction": "same", "axioms": ["C-02", "P-01"],
+        }));
         self.part(assembly, "back", "bearing.ball", json!({}));
         self.mate(json!({
-            "assembly": assembly, "id": "m4", "mate_type": "coaxial",
+            "assembly": assembly, "id": "m4", "mate_type": "press_fit",
             "base": "block:bore_port_back", "incoming": "back:outer_ring",
-            "d_mm": -7, "direction": "same", "axioms": ["B-01", "C-02"],
+            "d_mm": -7, "direction": "same", "axioms": ["B-01", "C-03"],
         }));
         self.mate(json!({
             "assembly": assembly, "id": "m5", "mate_type": "coaxial",
             "base": "back:inner_ring", "incoming": "shaft:shaft_seat_1", "axioms": ["C-02", "P-01"],
+        }));
+    }
+
+    fn block_with_bearing(&mut self, assembly: &str, ring: &str, shaft: Value) {
+        let fit = if ring == "press_fit" { "C-03" } else { "C-02" };
+        self.new_assembly(assembly);
+        self.part(assembly, "plate", "base_frame.rect_plate", json!({}));
+        self.part(assembly, "block", "base_frame.housing_block", json!({}));
+        self.part(assembly, "bearing", "bearing.ball", json!({}));
+        self.part(assembly, "shaft", "base_frame.stepped_shaft", shaft);
+        self.mate(json!({
+            "assembly": assembly, "id": "m1", "mate_type": "face_to_face",
+            "base": "plate:top_face", "incoming": "block:bottom_face", "axioms": ["C-01"],
+        }));
+        self.mate(json!({
+            "assembly": assembly, "id": "m2", "mate_type": ring,
+            "base": "block:bore_port", "incoming": "bearing:outer_ring",
+            "d_mm": -7, "direction": "same", "axioms": ["B-01", fit],
         }));
     }
 

@@ -142,11 +142,35 @@ fn refused(answer: &Value, expect: &Value) -> Vec<String> {
     wrong
 }
 
-/// So many sessions share the cases: each has its own server and workers.
-fn run(share: usize, of: usize) {
+#[test]
+fn a_source_gives_the_same_recipe_on_every_day() {
+    let mut found = String::new();
+    for case in cases() {
+        if yaml(&case.join("expect.yaml"))["outcome"] == "admitted" {
+            let name = case.file_name().unwrap().to_str().unwrap();
+            let source = text(&case.join("source.star"));
+            let factory = assemcad_script::Factory::parse(name, &source).unwrap();
+            let recipe = factory.build(&serde_json::Map::new()).unwrap().recipe;
+            found.push_str(&format!("{} {name}\n", recipe.hash().unwrap()));
+        }
+    }
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../tests/synthesis/recipes.txt");
+    if std::env::var_os("ASSEMCAD_ACCEPT").is_some() {
+        std::fs::write(&path, &found).unwrap();
+    }
+    assert_eq!(text(&path), found, "accept with ASSEMCAD_ACCEPT=1");
+}
+
+/// Holds cases to what is expected of them; `slow` ones are those that say so.
+fn run(share: usize, of: usize, slow: bool) {
     let mut kit = Kit::new();
     let mut wrong = String::new();
-    for case in cases().iter().skip(share).step_by(of) {
+    let all = cases();
+    let all = all.iter().filter(|case| {
+        let is_slow = yaml(&case.join("expect.yaml"))["slow"] == true;
+        is_slow == slow
+    });
+    for case in all.skip(share).step_by(of) {
         let began = std::time::Instant::now();
         for fault in examined(&mut kit, case) {
             wrong.push_str(&format!(
@@ -166,10 +190,16 @@ fn run(share: usize, of: usize) {
 #[test]
 fn every_case_is_admitted_or_refused_for_its_reason_1() {
     assert!(cases().len() >= 40, "{}", cases().len());
-    run(0, 2);
+    run(0, 2, false);
 }
 
 #[test]
 fn every_case_is_admitted_or_refused_for_its_reason_2() {
-    run(1, 2);
+    run(1, 2, false);
+}
+
+#[test]
+#[ignore = "make test-factories"]
+fn the_slow_cases() {
+    run(0, 1, true);
 }

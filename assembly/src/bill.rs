@@ -6,11 +6,9 @@ use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{BillLine, Mass, PartFacts, rounded};
 use serde_json::{Map, Value};
 
+use crate::measure::DEFAULT_DENSITY;
 use crate::place::Placed;
 use crate::resolve::Resolved;
-
-/// The density of steel in kg/m3, where none is stated.
-pub const DEFAULT_DENSITY_KG_M3: f64 = 7850.0;
 
 /// What the parts weigh, alone and together. The mass of each is noted in its facts.
 pub(crate) fn mass(
@@ -19,7 +17,7 @@ pub(crate) fn mass(
     density: Option<f64>,
     facts: &mut [PartFacts],
 ) -> Mass {
-    let density_kg_m3 = density.unwrap_or(DEFAULT_DENSITY_KG_M3);
+    let density_kg_m3 = density.unwrap_or(DEFAULT_DENSITY);
     // Of rounded values nothing is summed up.
     let (mut total, mut moment) = (Some(0.0), Some([0.0; 3]));
     for (i, (built, fact)) in built.iter().zip(facts).enumerate() {

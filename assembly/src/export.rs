@@ -238,7 +238,7 @@ pub(crate) fn names_specification(step: &[u8], sha256: &str) -> bool {
 }
 
 /// The distinct solids, in the order in which they first appear, and the parts as their instances.
-fn tree(resolved: &Resolved) -> Result<(Vec<Product>, Vec<Instance>), Diagnostic> {
+pub(crate) fn tree(resolved: &Resolved) -> Result<(Vec<Product>, Vec<Instance>), Diagnostic> {
     let placed = place::assembly(resolved)?;
     let mut hashes: Vec<String> = Vec::new();
     let mut products: Vec<Product> = Vec::new();

@@ -43,6 +43,11 @@ pub(crate) fn check_freedom(
     Some(freedom)
 }
 
+/// The freedom of placed parts with some of their mates; none where those do not hold.
+pub(crate) fn freedom_of(resolved: &Resolved, placed: &Placed) -> Option<Freedom> {
+    system(resolved, placed).ok().map(|s| analyse(&s))
+}
+
 const HOW: &str =
     "rank of the mates' constraints at the placed pose, finite steps where some are redundant";
 

@@ -4,7 +4,7 @@
 //! is written back before the operation returns, so that a killed server loses nothing.
 
 mod axioms;
-pub mod bill;
+mod bill;
 pub mod build;
 mod contact_check;
 pub mod draft;
@@ -13,8 +13,11 @@ pub mod export;
 mod freedom_check;
 mod interference;
 mod made;
+pub mod measure;
 mod near;
 pub mod page;
+mod partial;
+pub mod picture;
 pub mod place;
 mod port_use;
 mod ports_check;

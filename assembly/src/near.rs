@@ -1,5 +1,6 @@
 //! The check `clearance`: parts that do not touch are no nearer to each other than was asked for.
 
+use assemcad_kernel::asked::Chosen;
 use assemcad_kernel::protocol::{Built, Job, Reply};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{Finding, NearMiss, Overlapping, PairFacts, Verdict, rounded};
@@ -54,12 +55,18 @@ impl Workshop {
             if pair.is_some_and(|p| p.class != Overlapping::None) {
                 return None;
             }
-            let job = Job::Gap {
-                a: Box::new(solid(resolved, placed, i)?),
-                b: Box::new(solid(resolved, placed, j)?),
+            let whole = |i: usize| {
+                Some(Box::new(Chosen {
+                    part: solid(resolved, placed, i)?,
+                    faces: None,
+                }))
+            };
+            let job = Job::Distance {
+                a: whole(i)?,
+                b: whole(j)?,
             };
             let gap = match self.pool.run(&job).await {
-                Ok((Reply::Gap(gap), _)) => Ok(gap.distance),
+                Ok((Reply::Distance(gap), _)) => Ok(gap.distance),
                 Ok(_) => Err(unexpected(&job)),
                 Err(f) => Err(diagnostic(&f, &format!("parts '{a}' and '{b}'"))),
             };

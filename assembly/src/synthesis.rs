@@ -70,7 +70,7 @@ impl Workshop {
     ///
     /// # Errors
     /// Everything that is wrong with the name and the request; the history, where the rounds are used up.
-    pub async fn synthesize(&self, asked: Asked) -> Result<Synthesis, Faults> {
+    pub async fn synthesize(&self, asked: &Asked) -> Result<Synthesis, Faults> {
         let mut faults: Faults = name_fault(self, &asked.name).into_iter().collect();
         faults.extend(asked.request.faults());
         if !faults.is_empty() {
@@ -111,7 +111,7 @@ impl Workshop {
             .map_err(one)?;
         match judged {
             Ok(admission) => {
-                let kept = self.keep_factory(&asked, &hash, source, admission).await?;
+                let kept = self.keep_factory(asked, &hash, source, admission).await?;
                 Ok(Synthesis::Admitted(Box::new(kept)))
             }
             Err(_) if history.len() >= self.synthesis_rounds => {

@@ -31,7 +31,7 @@ pub struct Terms {
     pub tau_mm3: f64,
     /// Distance below which parts that do not touch are told of, in mm; 0 asks for none.
     pub clearance_mm: f64,
-    /// Density of all parts in kg/m3; [`bill::DEFAULT_DENSITY_KG_M3`] where it is not stated.
+    /// Density of all parts in kg/m3; [`crate::measure::DEFAULT_DENSITY`] where it is not stated.
     pub density_kg_m3: Option<f64>,
 }
 
@@ -120,13 +120,14 @@ impl Workshop {
         port_use::check(spec, &resolved, &mut run);
         let freedom = check_freedom(spec, &resolved, &placed, &mut run);
         let measured = Measurements {
+            built: &built,
             parts: &parts,
             mates: &mates,
             pairs: &pairs,
             tau_mm3,
             freedom: freedom.as_ref(),
         };
-        let axioms = axioms::run(self, spec, &resolved, &placed, &measured, &mut run);
+        let axioms = axioms::run(self, spec, &resolved, &placed, &measured, &mut run).await;
         let mut not_checked = NOT_CHECKED.map(str::to_owned).to_vec();
         if clearance_mm.is_none() {
             not_checked.push(NO_CLEARANCE.to_owned());

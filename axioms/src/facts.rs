@@ -8,7 +8,10 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::class::Class;
-pub use crate::measured::{Contact, Geometry, JointMotion, Measured, Mobility, Overlap, Redundant};
+pub use crate::measured::{
+    Contact, Geometry, JointMotion, Measured, Mobility, Overlap, Reach, Redundant, Stop, Thrust,
+    TipSeat, Unseen, Wall, Way, Ways,
+};
 
 /// Everything that is known of an assembly.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]

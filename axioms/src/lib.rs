@@ -4,6 +4,8 @@
 //! workspace's own YAML reader and validated as a whole. A check is one file under `src/checks/`: it reads
 //! [`facts::Facts`] and yields [`verdict::Verdict`]s. Nothing here knows a kernel, files or a protocol.
 
+pub mod apart;
+pub mod asked;
 pub mod axiom;
 pub mod checks;
 pub mod class;
@@ -20,6 +22,7 @@ mod left;
 pub mod load;
 mod measured;
 pub mod query;
+pub mod reasons;
 mod tables;
 mod validate;
 pub mod verdict;

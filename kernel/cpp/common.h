@@ -4,6 +4,8 @@
 #include <Bnd_Box.hxx>
 #include <Message_Report.hxx>
 #include <TopAbs_ShapeEnum.hxx>
+#include <TopTools_ListOfShape.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 #include <gp_Ax2.hxx>
 #include <gp_Pnt.hxx>
@@ -38,6 +40,9 @@ TopoDS_Shape moved(const Solid& solid, const Pose& pose);
 // The tight box, without triangulation and without tolerances.
 Bnd_Box tight_box(const TopoDS_Shape& shape);
 BoundsRaw raw_bounds(const Bnd_Box& box);
+
+// How the faces of an edge that is no point meet: 0 convex, 1 concave, 2 smooth, 3 seam or no two faces.
+std::uint8_t turn_of(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces);
 
 std::uint32_t count(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind);
 

@@ -231,6 +231,15 @@ EdgeRaw facts(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces) {
 
 }  // namespace
 
+std::uint8_t turn_of(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces) {
+  const BRepAdaptor_Curve curve(edge);
+  const double middle = 0.5 * (curve.FirstParameter() + curve.LastParameter());
+  gp_Pnt point;
+  gp_Vec tangent;
+  curve.D1(middle, point, tangent);
+  return turn(edge, faces, middle, tangent);
+}
+
 rust::Vec<FaceRaw> faces(const Solid& solid) {
   TopTools_IndexedMapOfShape map;
   TopExp::MapShapes(shape_of(solid), TopAbs_FACE, map);

@@ -3,15 +3,52 @@
 #include <BRepMesh_IncrementalMesh.hxx>
 #include <BRep_Tool.hxx>
 #include <IMeshTools_Parameters.hxx>
+#include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
 #include <TopLoc_Location.hxx>
+#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
+#include <TopTools_ListOfShape.hxx>
 #include <TopoDS.hxx>
 
 #include "common.h"
 
 namespace assemcad {
+
+namespace {
+
+// The edges as the triangles of their faces have them, so that the two lie on each other exactly.
+void add_lines(const TopoDS_Shape& shape, MeshRaw& out) {
+  TopTools_IndexedMapOfShape edges;
+  TopExp::MapShapes(shape, TopAbs_EDGE, edges);
+  TopTools_IndexedDataMapOfShapeListOfShape faces;
+  TopExp::MapShapesAndUniqueAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces);
+  for (Standard_Integer e = 1; e <= edges.Extent(); ++e) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges(e));
+    const TopTools_ListOfShape& around = faces.FindFromKey(edge);
+    if (BRep_Tool::Degenerated(edge) || around.IsEmpty()) {
+      continue;
+    }
+    TopLoc_Location location;
+    const Handle(Poly_Triangulation) part =
+        BRep_Tool::Triangulation(TopoDS::Face(around.First()), location);
+    const Handle(Poly_PolygonOnTriangulation) line =
+        BRep_Tool::PolygonOnTriangulation(edge, part, location);
+    if (line.IsNull()) {
+      throw Invalid("an edge has no place in the triangles of its face");
+    }
+    for (Standard_Integer i = 1; i <= line->NbNodes(); ++i) {
+      for (const double n : xyz(part->Node(line->Node(i)).Transformed(location.Transformation()))) {
+        out.lines.push_back(n);
+      }
+    }
+    out.line_ends.push_back(static_cast<std::uint32_t>(out.lines.size() / 3));
+    out.line_turns.push_back(turn_of(edge, around));
+  }
+}
+
+}  // namespace
 
 MeshRaw mesh(const Solid& solid, double deflection, double angle) {
   // A copy: a mesh left on the shape would be taken for the next one's, and change its bytes.
@@ -66,6 +103,7 @@ MeshRaw mesh(const Solid& solid, double deflection, double angle) {
       }
     }
   }
+  add_lines(shape, out);
   return out;
 }
 

@@ -102,23 +102,36 @@ impl Pile {
         Ok(pile)
     }
 
-    /// Whether a point is in the material; none where it is too near to a surface.
-    fn holds(&self, point: [f64; 3]) -> Result<Option<bool>> {
-        let mut found = Some(false);
+    /// Whether points are in the material; none where one is too near to a surface.
+    ///
+    /// All points of a solid are asked for at once: readying the solid costs more than most answers.
+    fn holds(&self, points: &[[f64; 3]]) -> Result<Vec<Option<bool>>> {
+        let mut found = vec![Some(false); points.len()];
         for (solid, bounds) in &self.solids {
             let beyond =
                 |(p, (low, high)): (&f64, (&f64, &f64))| *p < low - NEAR || *p > high + NEAR;
-            if point
+            let near = |point: &[f64; 3]| {
+                !point
+                    .iter()
+                    .zip(bounds.min.iter().zip(&bounds.max))
+                    .any(beyond)
+            };
+            // A point in one of the solids is in the material, whatever the others are.
+            let mut open: Vec<(&[f64; 3], &mut Option<bool>)> = points
                 .iter()
-                .zip(bounds.min.iter().zip(&bounds.max))
-                .any(beyond)
-            {
+                .zip(&mut found)
+                .filter(|(point, held)| **held != Some(true) && near(point))
+                .collect();
+            let asked: Vec<[f64; 3]> = open.iter().map(|(point, _)| **point).collect();
+            if asked.is_empty() {
                 continue;
             }
-            match solid.classify(&[point], NEAR)?.first() {
-                Some(Side::Inside) => return Ok(Some(true)),
-                Some(Side::Boundary) => found = None,
-                _ => {}
+            for ((_, held), side) in open.iter_mut().zip(solid.classify(&asked, NEAR)?) {
+                match side {
+                    Side::Inside => **held = Some(true),
+                    Side::Boundary => **held = None,
+                    Side::Outside => {}
+                }
             }
         }
         Ok(found)
@@ -144,9 +157,13 @@ fn plausible(kind: Kind, a: &Pile, b: &Pile, result: &Pile) -> Result<()> {
         }
         Kind::Cut if volume > a.volume * (1.0 + EQUAL) => wrong("which is more than before"),
         Kind::Cut if volume >= a.volume * (1.0 - EQUAL) && a.solids.len() == 1 => {
+            // Boxes that meet say nothing of a tool that lies in a hole, or where another cut was.
+            let why = match a.bounds.common(&b.bounds) {
+                Some(_) => "there is no material where the tool is",
+                None => "the tool does not reach into the solid",
+            };
             Err(KernelError::refused(format!(
-                "the cut removes nothing: the tool does not reach into the solid; the solid spans {} \
-                 mm, the tool {} mm",
+                "the cut removes nothing: {why}; the solid spans {} mm, the tool {} mm",
                 a.bounds, b.bounds
             )))
         }
@@ -166,29 +183,29 @@ fn vouched(kind: Kind, a: &Pile, b: &Pile, result: &Pile) -> Result<()> {
     let Some(region) = a.bounds.common(&b.bounds) else {
         return Ok(());
     };
-    let agrees = |point: [f64; 3]| -> Result<Option<bool>> {
-        let told = (a.holds(point)?, b.holds(point)?, result.holds(point)?);
-        Ok(match told {
-            (Some(a), Some(b), Some(found)) => Some(kind.holds(a, b) == found),
+    let agree = |points: &[[f64; 3]]| -> Result<Vec<Option<bool>>> {
+        let told = a.holds(points)?.into_iter().zip(b.holds(points)?);
+        let each = told.zip(result.holds(points)?).map(|told| match told {
+            ((Some(a), Some(b)), Some(found)) => Some(kind.holds(a, b) == found),
             _ => None,
-        })
+        });
+        Ok(each.collect())
     };
-    for point in pair::samples(&region, POINTS) {
-        if agrees(point)? != Some(false) {
+    let points = pair::samples(&region, POINTS);
+    for (point, agrees) in points.iter().zip(agree(&points)?) {
+        if agrees != Some(false) {
             continue;
         }
         // The classifier sends a ray, which an edge on its way may mislead: only where the
         // neighbours disagree too is it the boolean that is wrong.
-        let mut against = 0;
-        for nudge in NUDGES {
-            let mut near = point;
+        let near = NUDGES.map(|nudge| {
+            let mut near = *point;
             for ((x, share), size) in near.iter_mut().zip(nudge).zip(region.size()) {
                 *x += share * size;
             }
-            if agrees(near)? == Some(false) {
-                against += 1;
-            }
-        }
+            near
+        });
+        let against = agree(&near)?.iter().filter(|a| **a == Some(false)).count();
         if against >= 3 {
             let [x, y, z] = point;
             return Err(KernelError::invalid(format!(

@@ -141,6 +141,28 @@ pub enum Turn {
     Seam,
 }
 
+impl Turn {
+    /// From the numbers of `turn_of` in `cpp/facts.cpp`.
+    pub(crate) fn of(code: u8) -> Self {
+        match code {
+            0 => Self::Convex,
+            1 => Self::Concave,
+            2 => Self::Smooth,
+            _ => Self::Seam,
+        }
+    }
+
+    /// The number that [`Turn::of`] reads.
+    pub(crate) fn code(self) -> u8 {
+        match self {
+            Self::Convex => 0,
+            Self::Concave => 1,
+            Self::Smooth => 2,
+            Self::Seam => 3,
+        }
+    }
+}
+
 impl Shape {
     /// Every face, in the kernel's order, which is the same for the same solid.
     ///
@@ -216,12 +238,7 @@ fn edge(raw: bridge::EdgeRaw) -> Edge {
         2 => Curve::Other,
         _ => Curve::Point,
     };
-    let turn = match raw.turn {
-        0 => Turn::Convex,
-        1 => Turn::Concave,
-        2 => Turn::Smooth,
-        _ => Turn::Seam,
-    };
+    let turn = Turn::of(raw.turn);
     Edge {
         curve,
         turn,

@@ -102,6 +102,9 @@ pub mod bridge {
         positions: Vec<f64>,
         normals: Vec<f64>,
         triangles: Vec<u32>,
+        lines: Vec<f64>,
+        line_ends: Vec<u32>,
+        line_turns: Vec<u8>,
     }
 
     #[derive(Debug)]

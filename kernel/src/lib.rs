@@ -6,6 +6,7 @@
 // Linked for what it finds: it names the libraries of OCCT and where they are.
 use opencascade_sys as _;
 
+pub mod asked;
 pub mod booleans;
 pub mod brep;
 pub mod contact;
@@ -22,6 +23,7 @@ pub mod probe;
 pub mod protocol;
 pub mod query;
 pub mod replay;
+pub mod section;
 pub mod shape;
 pub mod step;
 pub mod worker;

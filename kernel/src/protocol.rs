@@ -8,6 +8,7 @@ use assemcad_workers::Work;
 pub use assemcad_workers::{Doing, Failure, FailureKind};
 use serde::{Deserialize, Serialize};
 
+use crate::asked::{Body, Chosen, Measured};
 use crate::contact::{Touch, Where};
 use crate::pair::Distance;
 
@@ -67,13 +68,6 @@ pub enum Job {
         /// The surface, in the world.
         place: Where,
     },
-    /// The smallest distance of two placed solids.
-    Gap {
-        /// First solid.
-        a: Box<Placed>,
-        /// Second solid.
-        b: Box<Placed>,
-    },
     /// A STEP file of an assembly, read back after writing.
     Step {
         /// The distinct solids.
@@ -84,6 +78,27 @@ pub enum Job {
         name: String,
         /// The lines of the file's description.
         description: Vec<String>,
+    },
+    /// Triangles and edges of a body.
+    Tessellate {
+        /// The body.
+        body: Body,
+        /// How far a triangle may be from the surface, in mm.
+        deflection: f64,
+        /// How far a triangle may be turned from the surface, in degrees.
+        angle_deg: f64,
+    },
+    /// Extent and centre of a placed part or of faces of it.
+    Measure {
+        /// What is measured.
+        of: Box<Chosen>,
+    },
+    /// The smallest distance of two placed parts, or of faces of them.
+    Distance {
+        /// First.
+        a: Box<Chosen>,
+        /// Second.
+        b: Box<Chosen>,
     },
 }
 
@@ -96,8 +111,10 @@ impl Job {
             Self::CommonVolume { .. } => "common volume",
             Self::Probe { .. } => "probes of ports",
             Self::Contact { .. } => "contact",
-            Self::Gap { .. } => "gap",
             Self::Step { .. } => "STEP export",
+            Self::Tessellate { .. } => "triangles",
+            Self::Measure { .. } => "measurement",
+            Self::Distance { .. } => "smallest distance",
         }
     }
 }
@@ -136,10 +153,17 @@ pub enum Reply {
     Probed(Vec<Answer>),
     /// Of [`Job::Contact`].
     Contact(Touch),
-    /// Of [`Job::Gap`].
-    Gap(Distance),
     /// Of [`Job::Step`]; the file is the message's block.
     Step(StepFacts),
+    /// Of [`Job::Tessellate`]: whether there is anything to draw; the mesh is the message's block.
+    Mesh {
+        /// False where the body is empty.
+        some: bool,
+    },
+    /// Of [`Job::Measure`].
+    Measured(Measured),
+    /// Of [`Job::Distance`].
+    Distance(Distance),
 }
 
 /// What was measured of a solid, in the part's frame.

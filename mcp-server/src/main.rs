@@ -2,6 +2,7 @@
 //!
 //! Standard output belongs to the protocol; logs go to standard error.
 
+mod clients_model;
 mod lines;
 mod running;
 mod serve;

@@ -2,25 +2,33 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use std::time::Duration;
 
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
-use assemcad_tools::{Effect, Offer, prompts};
+use assemcad_tools::{Effect, Offer, Output, Writer, prompts};
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD as BASE64;
 use rmcp::model::{
-    CallToolRequestParams, CallToolResponse, CallToolResult, CustomRequest, CustomResult,
-    ErrorCode, GetPromptRequestParams, GetPromptResponse, GetPromptResult, Implementation,
-    ListPromptsResult, ListToolsResult, PaginatedRequestParams, Prompt, PromptArgument,
-    PromptMessage, Role, ServerCapabilities, ServerConfig, Tool, ToolAnnotations,
+    CallToolRequestParams, CallToolResponse, CallToolResult, ContentBlock, CustomRequest,
+    CustomResult, ErrorCode, GetPromptRequestParams, GetPromptResponse, GetPromptResult,
+    Implementation, ListPromptsResult, ListToolsResult, PaginatedRequestParams,
+    ProgressNotificationParam, Prompt, PromptArgument, PromptMessage, Role, ServerCapabilities,
+    ServerConfig, Tool, ToolAnnotations,
 };
 use rmcp::service::RequestContext;
 use rmcp::transport::stdio as streams;
 use rmcp::{ErrorData, RoleServer, ServerHandler, ServiceExt};
 use serde_json::json;
 
+use crate::clients_model::ClientsModel;
 use crate::lines;
 use crate::running::Running;
+
+/// How long a call may be silent where its client asked for signs of progress.
+const BETWEEN_SIGNS: Duration = Duration::from_secs(5);
 
 /// What a model reads before it sees any tool; clients cut it at 2 KiB.
 const INSTRUCTIONS: &str = "assemcad builds mechanical assemblies that are checked: typed parts with \
@@ -31,10 +39,12 @@ have it checked by validate_draft, which tells every error at once with its line
 realize, which builds, places, verifies and exports it, all or nothing. A machine of 17 parts is one \
 text, not forty calls. The prompt 'decompose' holds the format, the factories and the mates; \
 list_factories and describe_factory tell parameters and ports, find_axioms the engineering rules that \
-each mate cites and verify checks.\n\
+each mate cites and verify checks. For a part that no factory makes, synthesize_factory admits a \
+source that you write, on evidence (prompts 'synthesize' and 'repair').\n\
 The fine-grained tools (new_assembly, add_part, mate, remove, verify, export_step) are for changes to \
 what is there. Every change is on disk when it is answered; assemblies of earlier sessions are there \
-(list_assemblies, get_assembly).\n\
+(list_assemblies, get_assembly). Look at what was built: render draws it, measure tells distances, \
+angles, boxes, masses.\n\
 Units: millimetres and degrees. A port's z points out of the material: a face's outward normal, a \
 hole's way out of its mouth, a shaft's way out of its end. Tools write ports as part:port.\n\
 A call that cannot be done answers with diagnostics, each with the place, the value found, the values \
@@ -92,14 +102,28 @@ fn tool(offer: &Offer) -> Tool {
         Some(true),
         Some(false),
     );
-    Tool::new(
+    let tool = Tool::new(
         offer.name,
         offer.description,
         Arc::new(offer.input_schema.clone()),
     )
     .with_title(offer.title)
-    .with_raw_output_schema(Arc::new(offer.output_schema.clone()))
-    .with_annotations(annotations)
+    .with_annotations(annotations);
+    match &offer.output_schema {
+        Some(schema) => tool.with_raw_output_schema(Arc::new(schema.clone())),
+        None => tool,
+    }
+}
+
+fn answered(output: Output) -> CallToolResult {
+    match output {
+        Output::Object(answer) => CallToolResult::structured(answer),
+        // Without structured content: clients that find some show nothing else to the model.
+        Output::Picture(picture) => CallToolResult::success(vec![
+            ContentBlock::text(picture.caption),
+            ContentBlock::image(BASE64.encode(picture.png), "image/png"),
+        ]),
+    }
 }
 
 impl ServerHandler for Server {
@@ -205,14 +229,17 @@ impl ServerHandler for Server {
             Some(offer) => {
                 let (workshop, name) = (Arc::clone(&self.workshop), offer.name);
                 let offers = Arc::clone(&self.offers);
+                let writer = ClientsModel::of(&context);
                 let work = async move {
+                    let writer = writer.as_ref().map(|w| w as &dyn Writer);
                     match offers.get(name) {
-                        Some(offer) => offer.call(&workshop, given).await,
+                        Some(offer) => offer.call(&workshop, given, writer).await,
                         None => Err(Faults::new()),
                     }
                 };
                 let mut task = tokio::spawn(work);
                 tokio::select! {
+                    () = signs_of_life(&context) => Err(Faults::new()),
                     done = &mut task => done.unwrap_or_else(|e| Err(vec![broken(name, &e)])),
                     () = context.ct.cancelled() => {
                         // Dropping the work drops its worker, which ends the kernel's computation.
@@ -223,10 +250,26 @@ impl ServerHandler for Server {
             }
         };
         Ok(match result {
-            Ok(answer) => CallToolResult::structured(answer),
+            Ok(output) => answered(output),
             Err(faults) => CallToolResult::structured_error(json!({"diagnostics": faults})),
         }
         .into())
+    }
+}
+
+/// Tells a client that asked for it, every few seconds, that its call is being worked on: clients drop
+/// calls that are silent for a minute. Never ends.
+async fn signs_of_life(context: &RequestContext<RoleServer>) {
+    let Some(token) = context.meta.get_progress_token() else {
+        return core::future::pending().await;
+    };
+    let mut signs = 0.0;
+    loop {
+        tokio::time::sleep(BETWEEN_SIGNS).await;
+        signs += 1.0;
+        let sign = ProgressNotificationParam::new(token.clone(), signs).with_message("at work");
+        // A client that does not listen any more is told by its connection.
+        let _ = context.peer.notify_progress(sign).await;
     }
 }
 

@@ -42,7 +42,7 @@ pub struct Evaluated {
 /// `show_object`.
 ///
 /// # Errors
-/// One diagnostic for each fault found, at `factory NAME:line LINE`.
+/// One diagnostic for each fault found, at `factory NAME, line LINE`.
 pub fn script(name: &str, source: &str) -> Result<Evaluated, Vec<Diagnostic>> {
     script_within(name, source, Limits::default())
 }
@@ -105,7 +105,7 @@ impl Factory {
     /// and defines `def build(p)`.
     ///
     /// # Errors
-    /// One diagnostic for each fault found, at `factory NAME:line LINE`.
+    /// One diagnostic for each fault found, at `factory NAME, line LINE`.
     pub fn parse_within(name: &str, source: &str, limits: Limits) -> Result<Self, Vec<Diagnostic>> {
         let job = job(name, source, limits)?;
         let declaration = job.clone().declare()?;
@@ -191,7 +191,7 @@ impl Factory {
     ///
     /// # Errors
     /// Parameters out of type or range, rules between them that do not hold (both under `params`), or
-    /// the script's own faults at `factory NAME:line LINE`.
+    /// the script's own faults at `factory NAME, line LINE`.
     pub fn build(&self, params: &Map<String, Value>) -> Result<Evaluated, Vec<Diagnostic>> {
         let params = self.check(params)?;
         let job = Job {

@@ -71,10 +71,10 @@ pub(crate) fn of_params(message: &str) -> Diagnostic {
     Diagnostic::error(Code::ParamInvalid, "params", capped(message))
 }
 
-/// `factory NAME:line LINE`.
+/// `factory NAME, line LINE`.
 pub(crate) fn place(name: &str, line: Option<u32>) -> String {
     match line {
-        Some(line) => format!("factory {name}:line {line}"),
+        Some(line) => format!("factory {name}, line {line}"),
         None => format!("factory {name}"),
     }
 }

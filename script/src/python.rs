@@ -56,7 +56,7 @@ fn edits(source: &str, dialect: &Dialect) -> (Vec<Edit>, Vec<Fault>) {
     };
     let (mut edits, mut faults): (Vec<Edit>, Vec<Fault>) = (Vec::new(), Vec::new());
     let mut open: Vec<Open> = Vec::new();
-    let (mut begins, mut past) = (true, 0);
+    let (mut begins, mut past, mut beyond) = (true, 0, 0);
     for lexeme in Lexer::new(codemap.source(), dialect, codemap.clone()) {
         let (from, token, to) = match lexeme {
             Ok(lexeme) => lexeme,
@@ -66,7 +66,11 @@ fn edits(source: &str, dialect: &Dialect) -> (Vec<Edit>, Vec<Fault>) {
                     let (from, to) = (span.span.begin(), span.span.end());
                     (from.get() as usize, to.get() as usize)
                 });
-                let Some((from, to)) = word else { break };
+                // After a fault of its own within an f-string the lexer gives the same one for ever.
+                let Some((from, to)) = word.filter(|(from, _)| *from >= beyond) else {
+                    break;
+                };
+                beyond = from + 1;
                 let is_import = matches!(source.get(from..to), Some("import" | "from"));
                 if is_import && begins && from >= past {
                     let end = end_of_import(source, from);

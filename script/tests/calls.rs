@@ -126,7 +126,7 @@ fn functions_of_each_are_called_once() {
     let d = fault("return cq.Workplane().eachpoint(lambda loc: 1 + nothing(loc))");
     assert!(d.message.contains("nothing"), "{d}");
     let d = fault("x = 1\nreturn cq.Workplane().eachpoint(lambda loc: cq.Workplane().box(1, 1))");
-    assert_eq!(d.place, "factory test.part:line 4");
+    assert_eq!(d.place, "factory test.part, line 4");
 }
 
 #[test]

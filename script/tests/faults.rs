@@ -68,7 +68,7 @@ fn ports_are_checked_as_far_as_they_are_known() {
             d.hint.clone().unwrap_or_default().contains(hint),
             "{call}: {d:?}"
         );
-        assert_eq!(d.place, "factory test.part:line 3");
+        assert_eq!(d.place, "factory test.part, line 3");
     }
     let all = calls("return cq.Workplane().gear_mesh_port(\"g\", 2, 20, 10)");
     let same = calls("return cq.Workplane().outline(cq.involute(2, 20))");
@@ -294,7 +294,7 @@ fn faults_say_the_line_and_what_to_write() {
         if line > 0 {
             assert_eq!(
                 d.place,
-                format!("factory test.part:line {line}"),
+                format!("factory test.part, line {line}"),
                 "{lines}: {d}"
             );
         }
@@ -339,7 +339,7 @@ fn what_python_has_and_starlark_lacks_is_answered_at_its_line() {
     ] {
         let d = fault(lines);
         assert!(
-            d.place.starts_with("factory test.part:line "),
+            d.place.starts_with("factory test.part, line "),
             "{lines}: {d}"
         );
         assert!(
@@ -352,9 +352,9 @@ fn what_python_has_and_starlark_lacks_is_answered_at_its_line() {
     assert_eq!(
         places,
         [
-            "factory test.part:line 1",
-            "factory test.part:line 2",
-            "factory test.part:line 3"
+            "factory test.part, line 1",
+            "factory test.part, line 2",
+            "factory test.part, line 3"
         ]
     );
     // Keyword arguments are not powers, and two comparisons not always a chain.

@@ -88,7 +88,7 @@ fn declarations_at_fault_are_refused() {
         assert!(found[0].message.contains(part), "{params}: {}", found[0]);
         assert_eq!(
             (found[0].code, found[0].place.as_str()),
-            (Code::FactoryFailed, "factory test.part:line 2")
+            (Code::FactoryFailed, "factory test.part, line 2")
         );
     }
     for (source, part) in [
@@ -199,7 +199,7 @@ fn broken_rules_are_errors_of_the_parameters_and_all_reported() {
     let d = factory("\nfail(\"never\")").unwrap_err().remove(0);
     assert_eq!(
         (d.code, d.place.as_str()),
-        (Code::FactoryFailed, "factory test.part:line 2")
+        (Code::FactoryFailed, "factory test.part, line 2")
     );
 }
 

@@ -152,7 +152,7 @@ fn misuse_of_every_method_is_answered() {
             unknown.message.contains("no parameter 'nonsense'"),
             "{unknown}"
         );
-        assert_eq!(unknown.place, "factory table:line 2");
+        assert_eq!(unknown.place, "factory table, line 2");
         assert!(unknown.hint.unwrap().contains(&format!("{}(", m.short())));
         let many = call(&["1"; 20].join(", ")).unwrap_err().remove(0);
         assert!(many.message.contains("and 20 are given"), "{many}");

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use serde_json::{Value, json};
 
 /// How long a client waits for an answer.
-const PATIENCE: Duration = Duration::from_secs(120);
+const PATIENCE: Duration = Duration::from_secs(300);
 
 /// A session with a server of its own.
 pub struct Session {
@@ -31,6 +31,8 @@ pub struct Answer {
     pub is_error: bool,
     /// The structured content.
     pub content: Value,
+    /// The blocks of content: texts and pictures.
+    pub blocks: Value,
 }
 
 impl Session {
@@ -157,6 +159,7 @@ impl Session {
                 .get("structuredContent")
                 .cloned()
                 .unwrap_or(Value::Null),
+            blocks: result.get("content").cloned().unwrap_or(Value::Null),
         })
     }
 

@@ -6,11 +6,11 @@
 use assemcad_assembly::{Faults, Workshop};
 use futures::future::BoxFuture;
 use schemars::JsonSchema;
-use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Map, Value};
 
 mod add_part;
+mod answer;
 mod arguments;
 mod describe_factory;
 mod export_step;
@@ -19,21 +19,35 @@ mod get_assembly;
 mod list_assemblies;
 mod list_factories;
 mod mate;
+mod measure;
 mod new_assembly;
 pub mod prompts;
 mod realize;
 mod remove;
+mod render;
 mod schema;
 mod synthesize_factory;
 mod validate_draft;
 mod verify;
 
+use answer::Answer;
+pub use answer::Output;
+
+/// A model that writes when it is asked to: the client's own, where the client offers it.
+pub trait Writer: Send + Sync {
+    /// What it writes for a prompt.
+    ///
+    /// # Errors
+    /// Why it wrote nothing.
+    fn write(&self, prompt: String) -> BoxFuture<'_, Result<String, String>>;
+}
+
 /// One tool.
 trait Tool: 'static {
     /// Its arguments, a flat object.
     type Arguments: DeserializeOwned + JsonSchema + Send;
-    /// Its answer, an object.
-    type Answer: Serialize + JsonSchema + Send;
+    /// Its answer: an object, or a picture.
+    type Answer: Answer + Send;
     /// Verb and noun in snake case, at most 32 characters.
     const NAME: &'static str;
     /// For people: a few words.
@@ -48,6 +62,15 @@ trait Tool: 'static {
         workshop: &Workshop,
         arguments: Self::Arguments,
     ) -> impl Future<Output = Result<Self::Answer, Faults>> + Send;
+
+    /// Does it with a writer at hand.
+    fn run_with(
+        workshop: &Workshop,
+        arguments: Self::Arguments,
+        _writer: Option<&dyn Writer>,
+    ) -> impl Future<Output = Result<Self::Answer, Faults>> + Send {
+        Self::run(workshop, arguments)
+    }
 }
 
 /// What a tool does to the assemblies. All tools may be called twice with the same effect as once.
@@ -61,7 +84,11 @@ pub enum Effect {
     Removes,
 }
 
-type Handler = for<'a> fn(&'a Workshop, Value) -> BoxFuture<'a, Result<Value, Faults>>;
+type Handler = for<'a> fn(
+    &'a Workshop,
+    Value,
+    Option<&'a dyn Writer>,
+) -> BoxFuture<'a, Result<Output, Faults>>;
 
 /// A tool as a server offers it.
 #[derive(Debug)]
@@ -76,8 +103,8 @@ pub struct Offer {
     pub effect: Effect,
     /// JSON Schema of the arguments; an object at the root.
     pub input_schema: Map<String, Value>,
-    /// JSON Schema of the answer; an object at the root.
-    pub output_schema: Map<String, Value>,
+    /// JSON Schema of the answer, an object at the root; none where the answer is a picture.
+    pub output_schema: Option<Map<String, Value>>,
     validator: Option<jsonschema::Validator>,
     handler: Handler,
 }
@@ -92,19 +119,19 @@ impl Offer {
             effect: T::EFFECT,
             validator: jsonschema::validator_for(&Value::Object(input_schema.clone())).ok(),
             input_schema,
-            output_schema: schema::output::<T::Answer>(),
-            handler: |workshop, arguments| {
+            output_schema: T::Answer::schema(),
+            handler: |workshop, arguments, writer| {
                 Box::pin(async move {
                     let arguments = serde_json::from_value(arguments)
                         .map_err(|_| vec![arguments::unreadable(T::NAME)])?;
-                    let answer = T::run(workshop, arguments).await?;
-                    serde_json::to_value(answer).map_err(|_| vec![arguments::unwritable(T::NAME)])
+                    let answer = T::run_with(workshop, arguments, writer).await?;
+                    answer.output(T::NAME)
                 })
             },
         }
     }
 
-    /// Checks the arguments and runs the tool.
+    /// Checks the arguments and runs the tool; `writer` is there for those that have something written.
     ///
     /// # Errors
     /// Everything that is wrong with the arguments, or else with what they ask for.
@@ -112,7 +139,8 @@ impl Offer {
         &self,
         workshop: &Workshop,
         mut given: Map<String, Value>,
-    ) -> Result<Value, Faults> {
+        writer: Option<&dyn Writer>,
+    ) -> Result<Output, Faults> {
         // Models write null for what they leave out.
         given.retain(|_, value| !value.is_null());
         let given = Value::Object(given);
@@ -120,7 +148,7 @@ impl Offer {
             return Err(vec![arguments::unreadable(self.name)]);
         };
         arguments::check(validator, &self.input_schema, &given)?;
-        (self.handler)(workshop, given).await
+        (self.handler)(workshop, given, writer).await
     }
 }
 
@@ -136,9 +164,11 @@ pub fn all() -> Vec<Offer> {
         Offer::of::<list_assemblies::ListAssemblies>(),
         Offer::of::<list_factories::ListFactories>(),
         Offer::of::<mate::MakeMate>(),
+        Offer::of::<measure::Measure>(),
         Offer::of::<new_assembly::NewAssembly>(),
         Offer::of::<realize::Realize>(),
         Offer::of::<remove::Remove>(),
+        Offer::of::<render::Render>(),
         Offer::of::<synthesize_factory::SynthesizeFactory>(),
         Offer::of::<validate_draft::ValidateDraft>(),
         Offer::of::<verify::Verify>(),
@@ -156,7 +186,7 @@ mod tests {
         let mut files: Vec<String> = files
             .map(|f| f.unwrap().file_name().into_string().unwrap())
             .map(|f| f.trim_end_matches(".rs").to_owned())
-            .filter(|f| !["lib", "arguments", "prompts", "schema"].contains(&f.as_str()))
+            .filter(|f| !["lib", "answer", "arguments", "prompts", "schema"].contains(&f.as_str()))
             .collect();
         files.sort();
         let listed: Vec<&str> = all().iter().map(|t| t.name).collect();
@@ -174,7 +204,7 @@ mod tests {
                 tool.description.len()
             );
             assert!(tool.validator.is_some(), "{name}");
-            for schema in [&tool.input_schema, &tool.output_schema] {
+            for schema in core::iter::once(&tool.input_schema).chain(&tool.output_schema) {
                 assert_eq!(schema["type"], "object", "{name}");
                 for key in ["oneOf", "anyOf", "allOf", "$ref", "$defs"] {
                     assert!(!schema.contains_key(key), "{name} has {key} at the root");
@@ -193,6 +223,8 @@ mod tests {
                     "{name}.{field} has no description"
                 );
             }
+            // Clients that find a schema want structured content, and show nothing else.
+            assert_eq!(tool.output_schema.is_none(), name == "render");
             assert!(tool.effect != Effect::Removes || ["realize", "remove"].contains(&name));
         }
     }

@@ -12,16 +12,16 @@ use assemcad_model::diagnostic::{Code, Diagnostic};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Effect, Tool};
+use crate::{Effect, Tool, Writer, prompts};
 
 pub(crate) struct SynthesizeFactory;
 
 /// How many findings an answer holds at most.
 const MOST_FINDINGS: usize = 12;
 
-/// How many factories are shown as examples, and how long they are together at most, in bytes.
+/// How many factories are shown as examples, and how long each is at most, in bytes.
 const EXAMPLES: usize = 2;
-const MOST_EXAMPLES: usize = 6000;
+const MOST_EXAMPLE: usize = 3500;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -43,6 +43,10 @@ pub(crate) struct Arguments {
     /// What is to happen where the source works in a part of its ranges only.
     #[serde(default)]
     ranges: Ranges,
+    /// Whether the client's own model is to write and mend the source, all in this call. Where the client
+    /// offers none, the answer is what is needed to write it.
+    #[serde(default)]
+    write: bool,
 }
 
 /// What is to happen where a source works in a part of its ranges only.
@@ -155,6 +159,14 @@ impl Tool for SynthesizeFactory {
     const EFFECT: Effect = Effect::Adds;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
+        Self::run_with(workshop, a, None).await
+    }
+
+    async fn run_with(
+        workshop: &Workshop,
+        a: Arguments,
+        writer: Option<&dyn Writer>,
+    ) -> Result<Answer, Faults> {
         let source = match (a.source, a.file) {
             (Some(_), Some(_)) => {
                 let message =
@@ -173,21 +185,100 @@ impl Tool for SynthesizeFactory {
             expected_ports: a.expected_ports,
             params: a.params,
         };
-        let mut answer = Answer::of(&request, workshop.synthesis_rounds);
-        let asked = Asked {
+        let mut asked = Asked {
             name: a.name,
-            request: request.clone(),
+            request,
             source,
             narrowed: a.ranges == Ranges::AsShown,
         };
-        match workshop.synthesize(asked).await? {
-            Synthesis::Known(known) => answer.admitted(Status::Known, &known),
-            Synthesis::Admitted(admitted) => answer.admitted(Status::Admitted, &admitted),
-            Synthesis::Refused(refusal) => answer.refused(*refusal),
-            Synthesis::Wanted => answer.to_write = Some(ToWrite::of(workshop, &request).await),
+        let mut answer = round(workshop, &asked).await?;
+        let Some(writer) = writer.filter(|_| a.write) else {
+            return Ok(answer);
+        };
+        // A writer that gives the same source again does not use up the request's own rounds.
+        for _ in 0..workshop.synthesis_rounds {
+            let prompt = match &answer.status {
+                Status::Known | Status::Admitted => break,
+                Status::Wanted => to_write(workshop, &asked).await?,
+                Status::Refused => to_mend(workshop, &asked, &answer).await?,
+            };
+            let written = writer.write(prompt).await.map_err(|why| {
+                let message = format!("the client's model wrote nothing: {why}");
+                let d = Diagnostic::error(Code::SynthesisFailed, "write", message);
+                vec![d.hint("leave 'write' out and give the source yourself")]
+            })?;
+            asked.source = Some(code_in(&written).to_owned());
+            answer = round(workshop, &asked).await?;
         }
         Ok(answer)
     }
+}
+
+/// One round: what is asked, held against what is known and against the gate.
+async fn round(workshop: &Workshop, asked: &Asked) -> Result<Answer, Faults> {
+    let mut answer = Answer::of(&asked.request, workshop.synthesis_rounds);
+    match workshop.synthesize(asked).await? {
+        Synthesis::Known(known) => answer.admitted(Status::Known, &known),
+        Synthesis::Admitted(admitted) => answer.admitted(Status::Admitted, &admitted),
+        Synthesis::Refused(refusal) => answer.refused(*refusal),
+        Synthesis::Wanted => answer.to_write = Some(ToWrite::of(workshop, &asked.request).await),
+    }
+    Ok(answer)
+}
+
+/// The prompt for a first source.
+async fn to_write(workshop: &Workshop, asked: &Asked) -> Result<String, Faults> {
+    let request = serde_json::to_string_pretty(&asked.request).unwrap_or_default();
+    let description = format!(
+        "Answer with the source alone, in one code block. The name is `{}`, the request:\n{request}",
+        asked.name
+    );
+    filled(workshop, "synthesize", &[("description", description)]).await
+}
+
+/// The prompt for a source that mends a refused one.
+async fn to_mend(workshop: &Workshop, asked: &Asked, refused: &Answer) -> Result<String, Faults> {
+    let findings = serde_json::to_string_pretty(&refused.findings).unwrap_or_default();
+    let findings = format!("Answer with the mended source alone, in one code block.\n{findings}");
+    let source = asked.source.clone().unwrap_or_default();
+    filled(
+        workshop,
+        "repair",
+        &[("source", source), ("findings", findings)],
+    )
+    .await
+}
+
+async fn filled(
+    workshop: &Workshop,
+    name: &str,
+    given: &[(&str, String)],
+) -> Result<String, Faults> {
+    let given = given
+        .iter()
+        .map(|(k, v)| ((*k).to_owned(), v.as_str().into()));
+    let Some(prompt) = prompts::ALL.iter().find(|p| p.name == name) else {
+        return Err(vec![Diagnostic::error(
+            Code::Internal,
+            name,
+            "there is no such prompt",
+        )]);
+    };
+    let text = prompt.text(workshop, &given.collect()).await;
+    text.map_err(|d| vec![d])
+}
+
+/// The last code block of an answer, or all of it where it has none.
+fn code_in(text: &str) -> &str {
+    const FENCE: &str = "```";
+    let Some((before, _)) = text.trim_end().rsplit_once(FENCE) else {
+        return text;
+    };
+    let Some((_, block)) = before.rsplit_once(FENCE) else {
+        return text;
+    };
+    // Behind the fence the language may be named.
+    block.split_once('\n').map_or(block, |(_, code)| code)
 }
 
 impl Answer {
@@ -240,22 +331,16 @@ impl ToWrite {
             });
         }
         let all = workshop.registry.all();
-        let mut room = MOST_EXAMPLES;
-        let mut examples = Vec::new();
-        for factory in nearest(request, all.iter().map(AsRef::as_ref)) {
-            let source = factory.source();
-            if source.len() <= room && examples.len() < EXAMPLES {
-                room -= source.len();
-                examples.push(Example {
-                    factory: factory.name().to_owned(),
-                    source: source.to_owned(),
-                });
-            }
-        }
+        let near = nearest(request, all.iter().map(AsRef::as_ref)).into_iter();
+        let short = near.filter(|f| f.source().len() <= MOST_EXAMPLE);
+        let examples = short.take(EXAMPLES).map(|factory| Example {
+            factory: factory.name().to_owned(),
+            source: factory.source().to_owned(),
+        });
         Self {
             language: assemcad_script::reference(),
             ports,
-            examples,
+            examples: examples.collect(),
             next: "call synthesize_factory again with the same arguments and 'source'".to_owned(),
         }
     }

@@ -34,9 +34,6 @@ const LINKER: [&str; 3] = [
 /// How a line of the standard library's last words begins when an allocation fails, before it aborts.
 const OUT_OF_MEMORY: &str = "memory allocation of ";
 
-/// What stands in a line of them when a thread's stack is used up.
-const STACK_OVERFLOW: &str = "stack overflow";
-
 /// So many last lines are kept: more may follow the one that says why.
 const LAST_LINES: usize = 8;
 
@@ -276,15 +273,9 @@ impl<W: Work> Pool<W> {
         use rustix::process::Signal;
         let limits = self.config.limits;
         let aborted = status.signal() == Some(Signal::ABORT.as_raw());
-        let said = |what: fn(&str) -> bool| aborted && said.iter().any(|line| what(line));
+        let no_memory = aborted && said.iter().any(|line| line.starts_with(OUT_OF_MEMORY));
         match status.signal() {
-            _ if said(|line| line.starts_with(OUT_OF_MEMORY)) => {
-                (FailureKind::Memory, limits.memory_exceeded())
-            }
-            _ if said(|line| line.contains(STACK_OVERFLOW)) => (
-                FailureKind::Memory,
-                "it nested deeper than the worker's stack reaches".to_owned(),
-            ),
+            _ if no_memory => (FailureKind::Memory, limits.memory_exceeded()),
             Some(s) if s == Signal::XCPU.as_raw() => (
                 FailureKind::Cpu,
                 format!(

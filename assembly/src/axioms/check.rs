@@ -8,6 +8,7 @@ use std::collections::BTreeMap;
 use assemcad_axioms::axiom::{Axiom, Checking, Force, Need};
 use assemcad_axioms::verdict::Verdict as Told;
 use assemcad_axioms::{Facts, Status, axioms, checks};
+use assemcad_kernel::protocol::Built;
 use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::freedom::Freedom;
 use assemcad_model::report::{
@@ -16,7 +17,7 @@ use assemcad_model::report::{
 use assemcad_model::spec::Assembly;
 use serde_json::json;
 
-use super::{facts, mend, trace};
+use super::{facts, measure, mend, trace};
 use crate::Workshop;
 use crate::place::Placed;
 use crate::resolve::Resolved;
@@ -29,6 +30,7 @@ const NOT_WRITTEN: &str = "its check is not written yet";
 
 /// What the other checks measured.
 pub(crate) struct Measurements<'a> {
+    pub(crate) built: &'a [Option<Built>],
     pub(crate) parts: &'a [PartFacts],
     pub(crate) mates: &'a [MateFacts],
     pub(crate) pairs: &'a [PairFacts],
@@ -39,7 +41,7 @@ pub(crate) struct Measurements<'a> {
 
 /// Checks the axioms, after all other checks: a finding that one of those has made already is not made
 /// again, but names the axiom.
-pub(crate) fn run(
+pub(crate) async fn run(
     workshop: &Workshop,
     spec: &Assembly,
     resolved: &Resolved,
@@ -47,7 +49,8 @@ pub(crate) fn run(
     measured: &Measurements<'_>,
     run: &mut Run,
 ) -> Axioms {
-    let facts = facts::facts(workshop, spec, resolved, placed, measured);
+    let mut facts = facts::facts(workshop, spec, resolved, placed, measured);
+    measure::measure(workshop, resolved, measured.built, placed, &mut facts).await;
     let mut told: BTreeMap<String, Vec<Told>> = BTreeMap::new();
     for v in checks::run_all(&facts) {
         told.entry(v.axiom.clone()).or_default().push(v);

@@ -4,6 +4,7 @@ use assemcad_axioms::facts::{
     Contact, Facts, Geometry, JointMotion, MateFacts, Measured, Mobility, Overlap, PartFacts,
     Redundant,
 };
+use assemcad_axioms::reasons::reasons;
 use assemcad_model::freedom::Freedom;
 use assemcad_model::report::{self, Overlapping, Verdict};
 use assemcad_model::spec::Assembly;
@@ -11,6 +12,7 @@ use serde_json::{Map, Value};
 
 use crate::Workshop;
 use crate::axioms::check::Measurements;
+use crate::freedom_check::freedom_of;
 use crate::interference::limit_mm3;
 use crate::place::Placed;
 use crate::resolve::Resolved;
@@ -43,7 +45,7 @@ pub(super) fn facts(
         axioms: m.mate.axioms.clone(),
         has_notes: !m.mate.notes.trim().is_empty(),
     });
-    Facts {
+    let mut facts = Facts {
         root: spec.root.clone(),
         parts: parts.collect(),
         mates: mates.collect(),
@@ -52,20 +54,47 @@ pub(super) fn facts(
         measured: Measured {
             overlaps: Some(overlaps(measured)),
             contacts: Some(contacts(measured)),
+            ..Measured::default()
         },
+    };
+    let left = unexplained(&facts, resolved, placed);
+    if let Some(mobility) = &mut facts.mobility {
+        mobility.unexplained = left;
     }
+    facts
 }
 
-/// The motions of the machine, idle spins left out; none where their number could not be told.
-fn mobility(freedom: &Freedom) -> Option<Mobility> {
-    let count = |n: usize| u32::try_from(n).unwrap_or(u32::MAX);
-    let redundant = freedom.redundant.iter().flat_map(|loop_| {
+/// What is still held twice when the mates are left out for which a pattern of joints gives the reason; none
+/// where there are no such mates, or nothing is held twice.
+fn unexplained(facts: &Facts, resolved: &Resolved, placed: &Placed) -> Option<Vec<Redundant>> {
+    let mobility = facts.mobility.as_ref()?;
+    let explained: Vec<&str> = reasons(facts).iter().map(|r| r.mate).collect();
+    if mobility.redundant.is_empty() || explained.is_empty() {
+        return None;
+    }
+    let mut rest = resolved.clone();
+    rest.mates
+        .retain(|m| !explained.contains(&m.mate.id.as_str()));
+    Some(redundant(&freedom_of(&rest, placed)?))
+}
+
+fn redundant(freedom: &Freedom) -> Vec<Redundant> {
+    let each = freedom.redundant.iter().flat_map(|loop_| {
         let each = loop_.mates.iter().zip(&loop_.repeated);
         each.map(|(mate, repeated)| Redundant {
             mate: mate.clone(),
             count: count(*repeated),
         })
     });
+    each.collect()
+}
+
+fn count(n: usize) -> u32 {
+    u32::try_from(n).unwrap_or(u32::MAX)
+}
+
+/// The motions of the machine, idle spins left out; none where their number could not be told.
+fn mobility(freedom: &Freedom) -> Option<Mobility> {
     let joints = freedom.joints.iter().map(|j| JointMotion {
         mate: j.mate.clone(),
         turns: count(j.turns),
@@ -74,7 +103,8 @@ fn mobility(freedom: &Freedom) -> Option<Mobility> {
     });
     Some(Mobility {
         freedom: count(freedom.lasting_mobility?.saturating_sub(freedom.idle_spins)),
-        redundant: redundant.collect(),
+        redundant: redundant(freedom),
+        unexplained: None,
         joints: joints.collect(),
     })
 }

@@ -45,6 +45,11 @@ fn remedy(id: &str) -> Option<(By, &'static str)> {
             Options,
             "give one of the two rings a coaxial mate instead of a press fit",
         ),
+        "B-03" => (
+            Params,
+            "give the shaft a collar as long as the gap between two bearings that are pressed into their housing, \
+             or press a ring on it",
+        ),
         "B-04" => (
             More,
             "locate one bearing on both rings, by press fits or faces, and leave the other free",
@@ -83,6 +88,7 @@ fn remedy(id: &str) -> Option<(By, &'static str)> {
             "press the pin into one leaf, or give it a stop at either end",
         ),
         "K-04" => (More, "take one gear out of the ring, or put another in"),
+        "N-02" => (Params, "make the part larger or the bore smaller"),
         "N-03" | "N-04" => (
             Params,
             "move the holes, make them smaller, or make the part larger",
@@ -102,6 +108,14 @@ fn remedy(id: &str) -> Option<(By, &'static str)> {
             "press the hub on its shaft (press_fit), or add a key",
         ),
         "P-03" => (Params, "make the hub longer: one shaft diameter at least"),
+        "S-01" => (
+            More,
+            "divide the part that encloses the other one, or open it on one side, and join its pieces with mates",
+        ),
+        "S-02" => (
+            Options,
+            "turn the fastener round, move what stands before it, or give that part a hole for the tool",
+        ),
         "S-03" => (
             More,
             "put the ground first in the list of parts, and mates in the order in which parts are brought in",
@@ -121,6 +135,10 @@ fn remedy(id: &str) -> Option<(By, &'static str)> {
             "give the hole the clearance of ISO 273 for its bolt",
         ),
         "T-07" => (More, "put a washer between the head or nut and the hole"),
+        "T-08" => (
+            Params,
+            "give the shaft a flat or a dimple where the set screw comes in",
+        ),
         "T-09" => (More, "add a second fastener or a locating feature"),
         "T-10" => (Params, "take a wider head, a washer or a smaller hole"),
         _ => return None,

@@ -3,7 +3,11 @@
 mod check;
 pub(crate) mod cite;
 mod facts;
+mod measure;
 mod mend;
+mod rays;
+mod sight;
 mod trace;
+mod ways;
 
 pub(crate) use check::{Measurements, not_checked, run};

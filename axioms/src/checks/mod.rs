@@ -9,10 +9,13 @@ use crate::knowledge::axioms;
 use crate::verdict::{About, Status, Verdict};
 
 mod anti_rotation;
+mod assembly_order;
+mod axial_location;
 mod axis_alignment;
 mod backlash;
 mod base_first;
 mod bolt_length;
+mod bore_wall;
 mod bracket_legs;
 mod centre_distance;
 mod clamping;
@@ -21,6 +24,7 @@ mod contact_at_seat;
 mod contact_ratio;
 mod edge_distance;
 mod engagement_length;
+mod fastener_access;
 mod features_named;
 mod fixed_and_floating;
 mod gear_loop;
@@ -49,6 +53,7 @@ mod ring_fit;
 mod ring_seats;
 mod screw_freedom;
 mod seat_on_face;
+mod set_screw_seat;
 mod shaft_angle;
 mod shaft_support;
 mod snap_lock;
@@ -72,12 +77,15 @@ pub trait Check: Sync {
 }
 
 /// Every check that is written, sorted by name.
-pub static ALL: [&dyn Check; 52] = [
+pub static ALL: [&dyn Check; 57] = [
     &anti_rotation::AntiRotation,
+    &assembly_order::AssemblyOrder,
+    &axial_location::AxialLocation,
     &axis_alignment::AxisAlignment,
     &backlash::Backlash,
     &base_first::BaseFirst,
     &bolt_length::BoltLength,
+    &bore_wall::BoreWall,
     &bracket_legs::BracketLegs,
     &centre_distance::CentreDistance,
     &clamping::Clamping,
@@ -86,6 +94,7 @@ pub static ALL: [&dyn Check; 52] = [
     &contact_ratio::ContactRatio,
     &edge_distance::EdgeDistance,
     &engagement_length::EngagementLength,
+    &fastener_access::FastenerAccess,
     &features_named::FeaturesNamed,
     &fixed_and_floating::FixedAndFloating,
     &gear_loop::GearLoop,
@@ -114,6 +123,7 @@ pub static ALL: [&dyn Check; 52] = [
     &ring_seats::RingSeats,
     &screw_freedom::ScrewFreedom,
     &seat_on_face::SeatOnFace,
+    &set_screw_seat::SetScrewSeat,
     &shaft_angle::ShaftAngle,
     &shaft_support::ShaftSupport,
     &snap_lock::SnapLock,

@@ -1,10 +1,11 @@
 //! C-05: no constraint twice without a reason.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::facts::{Facts, Mobility, Redundant};
+use crate::reasons::reasons;
 use crate::verdict::{About, Status, Verdict};
 
-/// What is constrained twice has a note.
+/// What is constrained twice has a note, or belongs to a pattern of joints that other axioms demand.
 pub struct NoRedundantConstraint;
 
 impl Check for NoRedundantConstraint {
@@ -38,28 +39,32 @@ impl Check for NoRedundantConstraint {
         // One verdict: in a loop every mate repeats what the others hold, and to name each of them alone
         // would say the same over and over.
         let noted = |mate: &str| facts.mates.iter().any(|m| m.id == mate && m.has_notes);
-        let bare: Vec<_> = mobility
-            .redundant
-            .iter()
-            .filter(|r| !noted(&r.mate))
-            .collect();
-        let (held, told) = if bare.is_empty() {
-            (true, mobility.redundant.iter().collect())
-        } else {
-            (false, bare)
+        // Without the second analysis nothing is explained.
+        let left = mobility.unexplained.as_ref().unwrap_or(&mobility.redundant);
+        let bare: Vec<_> = left.iter().filter(|r| !noted(&r.mate)).collect();
+        let names = |all: &[&Redundant]| {
+            let names: Vec<&str> = all.iter().map(|r| r.mate.as_str()).collect();
+            names.join(", ")
         };
-        let names: Vec<&str> = told.iter().map(|r| r.mate.as_str()).collect();
-        let message = if held {
+        let all: Vec<&Redundant> = mobility.redundant.iter().collect();
+        let message = if !bare.is_empty() {
             format!(
-                "freedoms are taken again at {}, with notes",
-                names.join(", ")
+                "freedoms are taken again at {}, and neither a note nor a pattern of joints gives the reason",
+                names(&bare)
+            )
+        } else if left.is_empty() {
+            format!(
+                "freedoms are taken again at {}, as recognised patterns of joints want it",
+                names(&all)
             )
         } else {
             format!(
-                "freedoms are taken again at {}, without a note that gives the reason",
-                names.join(", ")
+                "freedoms are taken again at {}, with notes or as recognised patterns of joints want it",
+                names(&all)
             )
         };
+        let held = bare.is_empty();
+        let told = if held { all } else { bare };
         let count = told
             .iter()
             .fold(0_u32, |sum, r| sum.saturating_add(r.count));
@@ -67,6 +72,25 @@ impl Check for NoRedundantConstraint {
             parts: Vec::new(),
             mates: told.iter().map(|r| r.mate.clone()).collect(),
         };
-        vec![Verdict::held(self.axiom(), held, about, message).value("redundant", f64::from(count))]
+        let verdict =
+            Verdict::held(self.axiom(), held, about, message).value("redundant", f64::from(count));
+        match taken_for_reasons(facts, mobility) {
+            Some(reasons) => vec![verdict.assuming(reasons)],
+            None => vec![verdict],
+        }
     }
+}
+
+/// The patterns that were taken for reasons, each once; none where there are none among what is repeated.
+fn taken_for_reasons(facts: &Facts, mobility: &Mobility) -> Option<String> {
+    mobility.unexplained.as_ref()?;
+    let repeated = |mate: &str| mobility.redundant.iter().any(|r| r.mate == mate);
+    let mut why: Vec<String> = reasons(facts)
+        .into_iter()
+        .filter(|r| repeated(r.mate))
+        .map(|r| r.why)
+        .collect();
+    why.sort();
+    why.dedup();
+    (!why.is_empty()).then(|| format!("taken for reasons: {}", why.join("; ")))
 }

@@ -3,10 +3,11 @@
 use assemcad_model::mates::MateType;
 
 use super::Check;
+use crate::asked::turns;
 use crate::class::Class;
 use crate::facts::{Facts, MateFacts, PartFacts, Side};
 use crate::geometry::NEAR_MM;
-use crate::joints::{about_part, is_cylinder, is_hole, of_class, reach_along};
+use crate::joints::{about_part, is_cylinder, is_hole, reach_along};
 use crate::verdict::{Status, Verdict};
 
 /// A shaft has two places along its axis that carry it, or one that takes moments.
@@ -34,8 +35,8 @@ impl Check for ShaftSupport {
     }
 
     fn run(&self, facts: &Facts) -> Vec<Verdict> {
-        of_class(facts, Class::Shaft)
-            .filter(|p| facts.root() != Some(&p.id))
+        let rotating = facts.parts.iter().filter(|p| turns(facts, p));
+        rotating
             .map(|shaft| carried(self.axiom(), facts, shaft))
             .collect()
     }

@@ -10,6 +10,9 @@ use assemcad_script::{Evaluator, Factory};
 use super::request::{ExpectedPort, Request};
 use super::sets::Set;
 
+/// How many shared words a shared type of port is worth: what is hard to write is the ports.
+const WEIGHT_OF_PORTS: usize = 4;
+
 /// The factories, those most like a request first: by the words of the description, and by the types of
 /// the expected ports as their documentation names them.
 #[must_use]
@@ -28,7 +31,7 @@ pub fn nearest<'a>(
         let own = words(&format!("{} {}", f.name(), f.doc()));
         let shared = wanted.intersection(&own).count();
         let ports = types.iter().filter(|t| f.doc().contains(**t)).count();
-        shared + 2 * ports
+        shared + WEIGHT_OF_PORTS * ports
     };
     let mut scored: Vec<(usize, &Factory)> = factories.into_iter().map(|f| (score(f), f)).collect();
     // Stable: among equals, the order of the names.
@@ -39,7 +42,7 @@ pub fn nearest<'a>(
 /// The words of a text that tell something.
 fn words(text: &str) -> BTreeSet<String> {
     text.split(|c: char| !c.is_alphanumeric())
-        .filter(|w| w.len() > 3)
+        .filter(|w| w.len() > 4)
         .map(str::to_lowercase)
         .collect()
 }

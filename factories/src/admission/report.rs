@@ -80,7 +80,7 @@ impl Finding {
     }
 }
 
-/// The line in a place such as `factory user.arm:line 12`.
+/// The line in a place such as `factory user.arm, line 12`.
 fn line_in(place: &str) -> Option<u32> {
     let (_, rest) = place.rsplit_once("line ")?;
     let digits: String = rest.chars().take_while(char::is_ascii_digit).collect();

@@ -1,5 +1,6 @@
 //! The jobs themselves.
 
+use std::cell::RefCell;
 use std::path::PathBuf;
 use std::rc::Rc;
 
@@ -12,6 +13,7 @@ use lru::LruCache;
 
 use super::cache::{self, Disk, Entry};
 use crate::error::{KernelError, Result};
+use crate::mesh::Mesh;
 use crate::protocol::{
     Built, CommonVolume, Doing, Instance, Job, Placed, Product, Reply, Source, StepFacts, StepLeaf,
 };
@@ -22,7 +24,7 @@ use crate::{contact, pair, replay, step};
 /// What stands in a STEP header where it asks for persons.
 const UNSTATED: &str = "not stated";
 
-fn doing(operation: &str, recipe: Option<String>) -> Doing {
+pub(super) fn doing(operation: &str, recipe: Option<String>) -> Doing {
     Doing {
         operation: operation.to_owned(),
         step: None,
@@ -32,14 +34,19 @@ fn doing(operation: &str, recipe: Option<String>) -> Doing {
 
 /// A solid, the SHA-256 of its bytes, and its ports.
 #[derive(Debug)]
-struct Solid {
-    shape: Shape,
+pub(super) struct Solid {
+    pub(super) shape: Shape,
     brep: String,
     ports: Vec<Port>,
+    /// The triangles that were asked for last, and how fine.
+    pub(super) mesh: RefCell<Option<(Fineness, Rc<Mesh>)>>,
 }
 
+/// Deflection in mm and angle in degrees.
+pub(super) type Fineness = (f64, f64);
+
 /// A solid as a job gets it: the hash of its recipe, itself, and where it came from.
-type Found = (String, Rc<Solid>, Source);
+pub(super) type Found = (String, Rc<Solid>, Source);
 
 /// What a worker keeps between jobs.
 #[derive(Debug)]
@@ -78,20 +85,19 @@ impl Bench {
                 let touch = contact::touch(&solid_a.shape, &at_a, &solid_b.shape, &at_b, place)?;
                 Ok((Reply::Contact(touch), Vec::new()))
             }
-            Job::Gap { a, b } => {
-                let (_, solid_a, _) = self.solid(&a.recipe, tell)?;
-                let (_, solid_b, _) = self.solid(&b.recipe, tell)?;
-                tell(doing("gap", None));
-                let (at_a, at_b) = (Placement::from(a.placement), Placement::from(b.placement));
-                let gap = pair::distance(&solid_a.shape, &at_a, &solid_b.shape, &at_b)?;
-                Ok((Reply::Gap(gap), Vec::new()))
-            }
             Job::Step {
                 solids,
                 instances,
                 name,
                 description,
             } => self.step(solids, instances, name, description, tell),
+            Job::Tessellate {
+                body,
+                deflection,
+                angle_deg,
+            } => self.tessellate(body, *deflection, *angle_deg, tell),
+            Job::Measure { of } => Ok((Reply::Measured(self.measure(of, tell)?), Vec::new())),
+            Job::Distance { a, b } => Ok((Reply::Distance(self.distance(a, b, tell)?), Vec::new())),
         }
     }
 
@@ -216,7 +222,7 @@ impl Bench {
     }
 
     /// The solid of a recipe: from memory, from disk, or made.
-    fn solid(&mut self, recipe: &Recipe, tell: Tell<'_>) -> Result<Found> {
+    pub(super) fn solid(&mut self, recipe: &Recipe, tell: Tell<'_>) -> Result<Found> {
         let hash = recipe
             .hash()
             .map_err(|_| KernelError::refused("the recipe holds a number that is not finite"))?;
@@ -256,6 +262,7 @@ impl Bench {
             brep: sha256(&bytes),
             shape: solid,
             ports,
+            mesh: RefCell::default(),
         };
         if let Some(disk) = &self.disk
             && let Err(e) = disk.write(hash, &made.payload(&bytes)?)
@@ -294,6 +301,7 @@ impl Solid {
             shape: Shape::from_bytes(bytes).ok()?,
             brep: sha256(bytes),
             ports: serde_json::from_slice(ports).ok()?,
+            mesh: RefCell::default(),
         })
     }
 }

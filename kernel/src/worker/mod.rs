@@ -1,5 +1,6 @@
 //! The kernel's worker process.
 
+mod asked;
 mod cache;
 mod jobs;
 

@@ -24,6 +24,8 @@ use std::collections::BTreeSet;
 use assemcad_model::ports::Port;
 use assemcad_model::recipe::{Call, Recipe, Ref, reference};
 
+pub(crate) use self::select::select;
+
 use self::args::Args;
 use self::chain::Index;
 use self::value::{Object, Value};

@@ -17,7 +17,7 @@ const TOLERANCE: f64 = 1e-4;
 ///
 /// # Errors
 /// When a place is asked for that does not exist, or a fact of a shape cannot be found.
-pub(super) fn select(selector: &Selector, shapes: &[Rc<Shape>]) -> Result<Vec<Rc<Shape>>> {
+pub(crate) fn select(selector: &Selector, shapes: &[Rc<Shape>]) -> Result<Vec<Rc<Shape>>> {
     match selector {
         Selector::Parallel(direction) => {
             let along = Vector::from(*direction);

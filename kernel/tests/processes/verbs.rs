@@ -2,6 +2,7 @@
 
 use assemcad_kernel::Shape;
 use assemcad_kernel::brep::{Corner, Side, Sweep, Topology, Transition};
+use assemcad_kernel::section;
 use assemcad_model::frame::Placement;
 
 const WORLD: Placement = Placement::IDENTITY;
@@ -631,5 +632,14 @@ pub const VERBS: &[Verb] = &[
                 .fused(&refs(&row), false, None)
                 .unwrap(),
         ]
+    }),
+    ("behind a plane", || {
+        let left = section::behind(&drilled(), [1.0, 2.0, 0.5], [0.3, -1.0, 0.2]).unwrap();
+        vec![left.unwrap()]
+    }),
+    ("common of two placed", || {
+        let turned = Placement::rotation_about([1.0, 2.0, 0.0], [0.2, 0.1, 1.0], 31.0).unwrap();
+        let common = section::shared(&drilled(), &WORLD, &drilled(), &turned).unwrap();
+        vec![common.unwrap()]
     }),
 ];

@@ -22,6 +22,18 @@ const UNITS: [&str; 4] = ["", "mm", "deg", "N"];
 /// Most parameters of a factory, and most fields of a record.
 const MOST_PARAMS: usize = 100;
 
+/// Deepest nesting of records: their readers walk them by recursion.
+const DEEPEST_RECORDS: usize = 4;
+
+/// How deep records are nested in fields.
+fn depth(fields: &[ParamSpec]) -> usize {
+    let inner = fields.iter().map(|field| match &field.kind {
+        ParamKind::Records { fields, .. } => 1 + depth(fields),
+        _ => 0,
+    });
+    inner.max().unwrap_or(0)
+}
+
 fn integer(value: Value<'_>, what: &str) -> Result<i64, Fault> {
     match i64::unpack_value(value) {
         Ok(Some(n)) => Ok(n),
@@ -210,8 +222,16 @@ pub(super) fn functions(builder: &mut GlobalsBuilder) {
         let Ok(Json::Array(default)) = default.to_json_value() else {
             return Fault::new("default is a list of dicts").raise();
         };
+        let fields = specs(fields, "fields")?;
+        if depth(&fields) >= DEEPEST_RECORDS {
+            return Fault::new(format!(
+                "records are nested more than {DEEPEST_RECORDS} deep"
+            ))
+            .hint("give the inner fields to the outer record")
+            .raise();
+        }
         let kind = ParamKind::Records {
-            fields: specs(fields, "fields")?,
+            fields,
             min_items: count(min_items, "min_items")?,
             max_items: count(max_items, "max_items")?,
             default: default.into_iter().map(|v| json!(v)).collect(),

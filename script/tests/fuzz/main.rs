@@ -24,7 +24,7 @@ use mutate::{Dice, expression, mutated};
 use serde_json::{Map, Value, json};
 
 /// Cases of the bounded run.
-const CASES: u64 = 1_000;
+const CASES: u64 = 500;
 
 /// Much less than a factory may use, so that many cases fit; time is no limit that decides.
 fn limits() -> Limits {
@@ -68,7 +68,9 @@ fn corpus() -> Vec<String> {
     all
 }
 
-fn evaluate(source: &str) -> Result<Evaluated, Vec<Diagnostic>> {
+type Answer = Result<Evaluated, Vec<Diagnostic>>;
+
+fn evaluate(source: &str) -> Answer {
     if source.contains("factory(") {
         Factory::parse_within("user.fuzz", source, limits())?.build(&Map::new())
     } else {
@@ -101,7 +103,7 @@ fn check_faults(source: &str, faults: &[Diagnostic]) -> Result<(), String> {
         if d.message.is_empty() || d.message.len() > 2000 {
             return wrong("the message's length");
         }
-        let line = d.place.strip_prefix("factory user.fuzz:line ");
+        let line = d.place.strip_prefix("factory user.fuzz, line ");
         match line.map(str::parse::<usize>) {
             Some(Ok(line)) if (1..=lines).contains(&line) => {}
             Some(_) => return wrong("a line that is not there"),
@@ -123,6 +125,11 @@ fn check(source: &str) -> Result<bool, String> {
     }
     if first != second {
         return Err(format!("two answers: {first:?} and {second:?}"));
+    }
+    // As it goes over the socket of a worker.
+    let sent = serde_json::to_string(&first).map_err(|e| e.to_string())?;
+    if serde_json::from_str::<Answer>(&sent).map_err(|e| e.to_string())? != first {
+        return Err("the answer does not survive being sent".to_owned());
     }
     match first {
         Ok(made) if made.lines.len() != made.recipe.calls.len() => Err("lines".to_owned()),
@@ -160,7 +167,10 @@ fn run(cases: u64, case: impl Fn(u64) -> Result<bool, String>) {
 #[test]
 fn sources_made_worse() {
     let corpus = corpus();
-    run(CASES, |seed| check(&mutated(&corpus, &mut Dice::new(seed))));
+    run(CASES, |seed| {
+        let source = mutated(&corpus, &mut Dice::new(seed));
+        check(&source).map_err(|why| format!("{why}\n{source}"))
+    });
 }
 
 #[test]

@@ -143,11 +143,68 @@ fn pieces(source: &str) -> Vec<&str> {
     found
 }
 
-/// One step: by pieces, by lines, by bytes, or with a stretch of another source.
+/// What takes the place of a word or number, so that the source still reads well.
+const VALUES: [&str; 34] = [
+    "0",
+    "1",
+    "-1",
+    "2",
+    "7",
+    "1000",
+    "20000",
+    "0.0",
+    "-0.0",
+    "1e-9",
+    "1e5",
+    "1e308",
+    "2147483647",
+    "9223372036854775807",
+    "True",
+    "None",
+    "\"\"",
+    "\">Z\"",
+    "\"|Z or #X\"",
+    "(0, 0)",
+    "(1, 2, 3)",
+    "[]",
+    "[(0, 0), (1, 1)]",
+    "{}",
+    "p",
+    "cq",
+    "math.pi",
+    "range(9)",
+    "len",
+    "cq.Workplane()",
+    "cq.Vector(1, 2, 3)",
+    "(lambda x: x)",
+    "cq.Plane.XY()",
+    "\"%s\"",
+];
+
+/// A word or number becomes another.
+fn by_values(source: &str, other: &str, dice: &mut Dice) -> String {
+    let is_word = |piece: &&str| piece.starts_with(|c: char| c.is_alphanumeric());
+    let mut all = pieces(source);
+    let words: Vec<usize> = (0..all.len()).filter(|i| is_word(&all[*i])).collect();
+    let others: Vec<&str> = pieces(other).into_iter().filter(is_word).collect();
+    if words.is_empty() || others.is_empty() {
+        return other.to_owned();
+    }
+    let at = dice.pick(&words);
+    all[at] = match dice.below(3) {
+        0 => dice.pick(&others),
+        1 => all[dice.pick(&words)],
+        _ => dice.pick(&VALUES),
+    };
+    all.concat()
+}
+
+/// One step: by words, by pieces, by lines, by bytes, or with a stretch of another source.
 fn step(source: &str, other: &str, dice: &mut Dice) -> String {
-    match dice.below(10) {
-        0..=4 => by_pieces(source, other, dice),
-        5 | 6 => by_lines(source, other, dice),
+    match dice.below(20) {
+        0..=9 => by_values(source, other, dice),
+        10..=14 => by_pieces(source, other, dice),
+        15 | 16 => by_lines(source, other, dice),
         _ => by_bytes(source, dice),
     }
 }

@@ -1,0 +1,108 @@
+//! An assembly as far as it can be made and placed.
+
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::spec::Assembly;
+use futures::future::join_all;
+use serde_json::json;
+
+use crate::place::{self, Placed};
+use crate::resolve::{self, Resolved};
+use crate::{Faults, Workshop};
+
+/// What could be made and placed, and what not.
+#[derive(Debug)]
+pub(crate) struct Partial {
+    pub(crate) resolved: Resolved,
+    pub(crate) placed: Placed,
+    /// One sentence for everything that is missing.
+    pub(crate) missing: Vec<String>,
+}
+
+/// Makes and places what can be.
+///
+/// # Errors
+/// When there is no part, or none that can be made.
+pub(crate) async fn of(workshop: &Workshop, spec: &Assembly) -> Result<Partial, Faults> {
+    if spec.parts.is_empty() {
+        return Err(vec![
+            Diagnostic::error(
+                Code::AssemblyEmpty,
+                "assembly",
+                format!("'{}' has no parts", spec.id),
+            )
+            .next("list_factories", json!({})),
+        ]);
+    }
+    let places: Vec<String> = (0..spec.parts.len())
+        .map(|i| format!("parts[{i}]"))
+        .collect();
+    let each = spec.parts.iter().zip(&places);
+    let made = join_all(each.map(|(p, place)| resolve::part(workshop, p, place))).await;
+    let (mut parts, mut missing, mut faults) = (Vec::new(), Vec::new(), Vec::new());
+    for (result, part) in made.into_iter().zip(&spec.parts) {
+        match result {
+            Ok(part) => parts.push(part),
+            Err(more) => {
+                let why = more.first().map(|d| d.message.clone()).unwrap_or_default();
+                missing.push(format!("{}: it could not be made: {why}", part.id));
+                faults.extend(more);
+            }
+        }
+    }
+    if parts.is_empty() {
+        return Err(faults);
+    }
+    let mut mates = Vec::new();
+    for (i, m) in spec.mates.iter().enumerate() {
+        let there = |id: &str| parts.iter().any(|p| p.id == id);
+        // A mate of a part that is missing has been accounted for with the part.
+        if !there(&m.base.part) || !there(&m.incoming.part) {
+            continue;
+        }
+        match resolve::mate(&parts, &spec.id, m, &|field| format!("mates[{i}].{field}")) {
+            Ok(mate) => mates.push(mate),
+            Err(more) => {
+                let why = more.first().map(|d| d.message.clone()).unwrap_or_default();
+                missing.push(format!("mate {}: {why}", m.id));
+            }
+        }
+    }
+    let wanted = spec
+        .root()
+        .and_then(|id| parts.iter().position(|p| p.id == id));
+    if wanted.is_none()
+        && let (Some(first), Some(root)) = (parts.first(), spec.root())
+    {
+        missing.push(format!(
+            "the root {root} is missing: {} stands at the origin instead",
+            first.id
+        ));
+    }
+    let resolved = Resolved {
+        parts,
+        mates,
+        root: Some(wanted.unwrap_or_default()),
+    };
+    let placed = place::assembly(&resolved).map_err(|d| vec![d])?;
+    for (i, part) in resolved.parts.iter().enumerate() {
+        if placed.of(i).is_none() {
+            missing.push(format!("{}: no mate joins it to the root", part.id));
+        }
+    }
+    Ok(Partial {
+        resolved,
+        placed,
+        missing,
+    })
+}
+
+/// The diagnostic for a part that is in the assembly but has no place or no solid.
+pub(crate) fn nowhere(id: &str, place: &str) -> Diagnostic {
+    Diagnostic::error(
+        Code::Unconnected,
+        place,
+        format!("'{id}' has no place or could not be made"),
+    )
+    .found(id)
+    .hint("join it to the root with the mate tool; verify says what is wrong with it")
+}

@@ -1,0 +1,113 @@
+//! S-01: an order of assembly exists.
+
+use super::Check;
+use crate::apart::{groups, locked};
+use crate::facts::{Facts, Ways};
+use crate::verdict::{About, Status, Verdict};
+use assemcad_model::ports::PortType;
+
+/// Taken apart along straight ways, nothing is left together.
+pub struct AssemblyOrder;
+
+impl Check for AssemblyOrder {
+    fn id(&self) -> &'static str {
+        "assembly_order"
+    }
+
+    fn axiom(&self) -> &'static str {
+        "S-01"
+    }
+
+    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+        // What has no place is another check's, and a part alone needs no order.
+        let placed: Vec<String> = facts
+            .parts
+            .iter()
+            .filter(|p| p.placement.is_some())
+            .map(|p| p.id.clone())
+            .collect();
+        if placed.len() < 2 {
+            return Vec::new();
+        }
+        let Some(ways) = &facts.measured.ways else {
+            let message = "what is in whose way was not measured";
+            return vec![Verdict::new(
+                self.axiom(),
+                Status::Indeterminate,
+                About::assembly(),
+                message,
+            )];
+        };
+        let left = groups(&placed, &ways.axes);
+        let stuck: Vec<&Vec<String>> = left.iter().filter(|g| g.len() > 1).collect();
+        let mut out: Vec<Verdict> = stuck.iter().map(|g| self.stuck(facts, ways, g)).collect();
+        for unseen in &ways.open {
+            let message = format!("the way of '{}' is not known: {}", unseen.part, unseen.why);
+            let about = About::parts([&unseen.part]);
+            out.push(Verdict::new(
+                self.axiom(),
+                Status::Indeterminate,
+                about,
+                message,
+            ));
+        }
+        if out.is_empty() {
+            let message = format!(
+                "the {} parts come apart one by one along straight ways, and go together the other way round",
+                placed.len()
+            );
+            let v = Verdict::held(self.axiom(), true, About::assembly(), message)
+                .value("parts", placed.len() as f64)
+                .value("axes", ways.axes.len() as f64);
+            out.push(v.assuming(sampled(ways)));
+        }
+        out
+    }
+}
+
+impl AssemblyOrder {
+    /// Two parts that hold each other are locked in; of more parts together it is not certain, since ways with
+    /// turns and corners are not looked for, and snap hooks give way.
+    fn stuck(&self, facts: &Facts, ways: &Ways, group: &[String]) -> Verdict {
+        let names = group
+            .iter()
+            .map(|p| format!("'{p}'"))
+            .collect::<Vec<_>>()
+            .join(", ");
+        let ways_n = 2 * ways.axes.len();
+        let gives = |id: &str| {
+            let part = facts.part(id);
+            part.is_some_and(|p| p.ports.iter().any(|x| x.port_type == PortType::SnapFit))
+        };
+        let pair = locked(group, &ways.axes).filter(|(a, b)| !gives(a) && !gives(b));
+        let (status, about, message) = match pair {
+            Some((a, b)) => (
+                Status::Fail,
+                About::parts([a, b]),
+                format!(
+                    "'{a}' and '{b}' hold each other: along none of {ways_n} straight ways do they come apart"
+                ),
+            ),
+            None => (
+                Status::Indeterminate,
+                About::parts(group),
+                format!(
+                    "along none of {ways_n} straight ways do some of {names} come away from the others; whether \
+                     they do with turns, corners or springing is not known"
+                ),
+            ),
+        };
+        Verdict::new(self.axiom(), status, about, message)
+            .value("directions", ways_n as f64)
+            .assuming(sampled(ways))
+    }
+}
+
+fn sampled(ways: &Ways) -> String {
+    format!(
+        "parts are rigid and come in straight, on threads and helices along their axes; seen on {0} by {0} rays \
+         over what two parts have in common in outline, not proven between them; pairs that overlap \
+         more than their mates mean are left out",
+        ways.rays_a_side
+    )
+}

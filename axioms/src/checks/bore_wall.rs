@@ -1,0 +1,53 @@
+//! N-02: wall around a bore.
+
+use super::Check;
+use crate::asked::bores;
+use crate::facts::Facts;
+use crate::verdict::{About, Status, Verdict};
+
+/// The wall of a bore is a tenth of its diameter at least, wherever the bore has a wall.
+pub struct BoreWall;
+
+/// How much thinner a wall may seem than it is, in mm: it is measured on triangles that deviate from the
+/// surface.
+const MEASURED_MM: f64 = 0.05;
+
+impl Check for BoreWall {
+    fn id(&self) -> &'static str {
+        "bore_wall"
+    }
+
+    fn axiom(&self) -> &'static str {
+        "N-02"
+    }
+
+    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+        let walls = facts.measured.walls.as_deref().unwrap_or_default();
+        bores(facts)
+            .into_iter()
+            .map(|bore| {
+                let (part, port) = (&bore.hole.part.id, &bore.hole.port.name);
+                let about = About::parts([part]);
+                let wall = walls.iter().find(|w| w.part == *part && w.port == *port);
+                let Some((wall, least)) = wall.and_then(|w| Some((w, w.least_mm?))) else {
+                    let message = format!("the wall around '{port}' of '{part}' was not measured");
+                    return Verdict::new(self.axiom(), Status::Indeterminate, about, message);
+                };
+                let wanted = bore.least_mm;
+                let message = format!(
+                    "'{port}' of '{part}' has {least:.3} mm of wall where it is thinnest; {wanted:.3} mm is \
+                     the least"
+                );
+                Verdict::held(self.axiom(), least >= wanted - MEASURED_MM, about, message)
+                    .value("wall_mm", least)
+                    .value("least_mm", wanted)
+                    .value("rays", f64::from(wall.rays))
+                    .value("rays_that_met_the_wall", f64::from(wall.met))
+                    .assuming(
+                        "the least wall is a tenth of the bore's diameter, a rule of ours; where a keyway, slot \
+                         or cross hole opens the bore there is no wall to measure",
+                    )
+            })
+            .collect()
+    }
+}
