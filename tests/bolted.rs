@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::kit::Kit;
+use crate::kit::{Kit, near};
 
 const PLATE: &str = "base_frame.rect_plate";
 
@@ -72,14 +72,25 @@ fn two_plates_and_four_bolts() {
         );
     }
     // What is not said is not meant: four threads that nobody has engaged are clashes, and clamp nothing.
-    let report = kit.ok("verify", json!({"assembly": "a"}));
+    let report = kit.ok("verify", json!({"assembly": "a", "detail": "full"}));
     assert_eq!(report["verdict"], "fail");
     let findings = report["findings"].as_array().unwrap();
     assert_eq!(findings.len(), 8, "{findings:?}");
     let clashes = findings
         .iter()
         .filter(|f| f["diagnostic"]["code"] == "clash");
-    assert_eq!(clashes.count(), 4);
+    assert_eq!(clashes.clone().count(), 4);
+    // Each names the call that engages its thread: the very one that is made by hand below.
+    for clash in clashes {
+        let next = &clash["diagnostic"]["next"];
+        let call = &next["arguments"];
+        assert_eq!(
+            (&next["tool"], &call["mate_type"]),
+            (&json!("mate"), &json!("thread_engage"))
+        );
+        assert!(near(&call["d_t_mm"], NUT, 1e-6), "{call}");
+        assert!(near(&call["through_mm"], BELOW - NUT, 1e-6), "{call}");
+    }
     let unclamped = findings
         .iter()
         .filter(|f| f["axioms"][0]["axiom"] == "T-01");

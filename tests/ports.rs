@@ -58,7 +58,7 @@ fn a_phantom_hole_and_one_of_the_wrong_size_are_found() {
     ] {
         kit.new_assembly("a");
         kit.part("a", "block", "test.tapped", params);
-        let report = kit.ok("verify", json!({"assembly": "a"}));
+        let report = kit.ok("verify", json!({"assembly": "a", "detail": "full"}));
         assert_eq!(report["verdict"], "fail");
         let findings = of_ports(&report);
         assert_eq!(findings.len(), 1, "{findings:?}");
@@ -87,7 +87,7 @@ fn a_seat_a_hundredth_off_is_found() {
     let mut kit = Kit::new();
     kit.new_assembly("a");
     kit.part("a", "cover", "test.cover", json!({"seat_lift": 0.01}));
-    let report = kit.ok("verify", json!({"assembly": "a"}));
+    let report = kit.ok("verify", json!({"assembly": "a", "detail": "full"}));
     let findings = of_ports(&report);
     assert_eq!(findings.len(), 1, "{findings:?}");
     let told = findings[0]["values"]["first_failed"].to_string();

@@ -3,16 +3,16 @@
 use assemcad_kernel::protocol::{Instance, Job, Product, Reply, StepFacts};
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic};
-use assemcad_model::report::{Report, Verdict};
+use assemcad_model::report::{Report, StepFile, Verdict};
 use assemcad_model::spec::Assembly;
 use futures::future::join_all;
 use serde_json::json;
 
 use crate::build::{diagnostic, unexpected};
+use crate::report_files::{self, report_file};
 use crate::resolve::{self, Resolved};
 use crate::state::hash;
 use crate::store::file_of;
-use crate::verify::report_file;
 use crate::{Faults, Workshop, place};
 
 /// Colours of products, given out in the order in which products first appear: muted tones that
@@ -67,6 +67,16 @@ pub struct Step {
 }
 
 impl Step {
+    /// The file, as a report names it.
+    #[must_use]
+    pub fn file(&self, file: &str) -> StepFile {
+        StepFile {
+            file: file.to_owned(),
+            bytes: self.bytes.len(),
+            sha256: sha256(&self.bytes),
+        }
+    }
+
     /// What there is to say of it once it is a file.
     #[must_use]
     pub fn exported(self, file: String, verdict: Option<Verdict>) -> Exported {
@@ -106,11 +116,23 @@ impl Workshop {
         };
         let spec = self.store.load(id).map_err(one)?;
         let step = self.step(&spec).await?;
-        self.store.write(&file, &step.bytes).map_err(one)?;
         let report: Option<Report> = self.store.read_json(&report_file(id));
-        let verdict = report
-            .filter(|r| r.specification_sha256 == step.specification_sha256)
-            .map(|r| r.verdict);
+        let report = report.filter(|r| r.specification_sha256 == step.specification_sha256);
+        let verdict = report.as_ref().map(|r| r.verdict);
+        let mut files = vec![(file.clone(), step.bytes.clone())];
+        if let Some(report) = report {
+            // From now on the report names the file, as the file names the specification.
+            let report = Report {
+                step: Some(step.file(&file)),
+                ..report
+            };
+            files.extend(report_files::files(&report).map_err(one)?);
+        }
+        let all: Vec<(&str, &[u8])> = files
+            .iter()
+            .map(|(p, b)| (p.as_str(), b.as_slice()))
+            .collect();
+        self.store.write_all(&all).map_err(one)?;
         Ok(step.exported(file, verdict))
     }
 
@@ -125,12 +147,19 @@ impl Workshop {
         let measured = self.ready(id, &resolved).await?;
         let specification_sha256 = hash(spec).map_err(one)?;
         let (solids, instances) = tree(&resolved).map_err(one)?;
+        let mut description = vec![
+            "assemcad assembly".to_owned(),
+            of_specification(&specification_sha256),
+        ];
+        for solid in &solids {
+            let hash = solid.recipe.hash();
+            let hash =
+                hash.map_err(|e| one(Diagnostic::error(Code::Internal, id, e.to_string())))?;
+            description.push(format!("recipe sha256 {hash} of {}", solid.name));
+        }
         let job = Job::Step {
             name: id.to_owned(),
-            description: vec![
-                "assemcad assembly".to_owned(),
-                format!("specification sha256 {specification_sha256}"),
-            ],
+            description,
             solids,
             instances,
         };
@@ -193,6 +222,19 @@ impl Workshop {
             Err(faults)
         }
     }
+}
+
+/// The line of a STEP file's description that says of which specification it is.
+fn of_specification(sha256: &str) -> String {
+    format!("specification sha256 {sha256}")
+}
+
+/// Whether a STEP file's description says that it is of this specification.
+pub(crate) fn names_specification(step: &[u8], sha256: &str) -> bool {
+    // It stands in the first lines, which are broken anywhere.
+    let head = step.iter().take(4096).copied();
+    let head: Vec<u8> = head.filter(|c| !matches!(c, b'\n' | b'\r')).collect();
+    String::from_utf8_lossy(&head).contains(&of_specification(sha256))
 }
 
 /// The distinct solids, in the order in which they first appear, and the parts as their instances.

@@ -3,6 +3,7 @@
 use assemcad_kernel::protocol::{Built, CommonVolume, Job, Placed as PlacedSolid, Reply};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{Finding, Overlapping, PairFacts, Verdict, rounded};
+use assemcad_model::spec::Assembly;
 use futures::future::join_all;
 use serde_json::{Map, json};
 
@@ -11,6 +12,9 @@ use crate::build::{Box3, box_of, diagnostic, unexpected};
 use crate::place::Placed;
 use crate::resolve::Resolved;
 use crate::verify::Run;
+
+mod clash;
+mod thread;
 
 /// How many points the estimate takes that a boolean's volume is held against.
 const SAMPLES: u32 = 1000;
@@ -22,8 +26,8 @@ const BOX_MARGIN_MM: f64 = 1e-3;
 impl Workshop {
     pub(crate) async fn check_pairs(
         &self,
-        resolved: &Resolved,
-        placed: &Placed,
+        spec: &Assembly,
+        (resolved, placed): (&Resolved, &Placed),
         built: &[Option<Built>],
         tau: f64,
         run: &mut Run,
@@ -46,21 +50,14 @@ impl Workshop {
                 };
                 cases += 1;
                 match (world_box(built, placed, i), world_box(built, placed, j)) {
-                    (Some(a), Some(b)) if apart(&a, &b) => {}
+                    (Some(a), Some(b)) if apart(&a, &b, BOX_MARGIN_MM) => {}
                     (Some(_), Some(_)) => near.push((i, j)),
                     _ => unknown.push((i, j)),
                 }
             }
         }
-        let solid = |i: usize| {
-            let (part, placement) = (resolved.parts.get(i)?, placed.of(i)?);
-            Some(PlacedSolid {
-                recipe: part.made.recipe.clone(),
-                placement: placement.into(),
-            })
-        };
         let results = join_all(near.iter().map(|&(i, j)| async move {
-            match (solid(i), solid(j)) {
+            match (solid(resolved, placed, i), solid(resolved, placed, j)) {
                 (Some(a), Some(b)) => self.common_volume(a, b, &names(i), &names(j)).await,
                 _ => Err(Diagnostic::error(
                     Code::Internal,
@@ -72,10 +69,27 @@ impl Workshop {
         .await;
         let mut facts = Vec::new();
         let mut verdict = Verdict::Pass;
+        let mut clashes = 0;
         for ((i, j), result) in near.into_iter().zip(results) {
             let (a, b) = (names(i), names(j));
             let allowed = allowed(resolved, i, j);
-            let found = judge(&a, &b, result, tau, &allowed);
+            let place = result.as_ref().ok().and_then(|v| v.place);
+            let mut found = judge(&a, &b, result, tau, &allowed);
+            if let (Overlapping::Clash, Some(finding)) = (found.class, &mut found.finding) {
+                clashes += 1;
+                let clash = clash::Clash {
+                    spec,
+                    resolved,
+                    placed,
+                    built,
+                    pair: (i, j),
+                    common: place.map(|(min, max, _)| (min, max)),
+                    volume: found.volume.unwrap_or_default(),
+                    tau,
+                };
+                self.tell_clash(&clash, clashes <= clash::MOST_MOVED, finding)
+                    .await;
+            }
             let fact = PairFacts {
                 verdict: found.verdict,
                 class: found.class,
@@ -306,117 +320,25 @@ fn allowed(resolved: &Resolved, i: usize, j: usize) -> Allowed {
     out
 }
 
-fn world_box(built: &[Option<Built>], placed: &Placed, i: usize) -> Option<Box3> {
+/// A part's solid in its place.
+pub(crate) fn solid(resolved: &Resolved, placed: &Placed, i: usize) -> Option<PlacedSolid> {
+    let (part, placement) = (resolved.parts.get(i)?, placed.of(i)?);
+    Some(PlacedSolid {
+        recipe: part.made.recipe.clone(),
+        placement: placement.into(),
+    })
+}
+
+pub(crate) fn world_box(built: &[Option<Built>], placed: &Placed, i: usize) -> Option<Box3> {
     Some(box_of(built.get(i)?.as_ref()?, &placed.of(i)?))
 }
 
-fn apart((a_min, a_max): &Box3, (b_min, b_max): &Box3) -> bool {
-    let gap = |min: &[f64; 3], max: &[f64; 3]| {
-        min.iter()
-            .zip(max)
-            .any(|(lo, hi)| *lo > *hi + BOX_MARGIN_MM)
-    };
+/// Whether two boxes are further apart than the margin.
+pub(crate) fn apart((a_min, a_max): &Box3, (b_min, b_max): &Box3, margin_mm: f64) -> bool {
+    let gap =
+        |min: &[f64; 3], max: &[f64; 3]| min.iter().zip(max).any(|(lo, hi)| *lo > *hi + margin_mm);
     gap(a_min, b_max) || gap(b_min, a_max)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::{Allowed, Judged, apart, judge};
-    use assemcad_kernel::protocol::CommonVolume;
-    use assemcad_model::diagnostic::{Code, Diagnostic};
-    use assemcad_model::report::{Overlapping, Verdict};
-
-    fn verdict(volume: f64, inside: u32) -> Verdict {
-        warned(volume, inside, Vec::new())
-    }
-
-    fn warned(volume: f64, inside: u32, warnings: Vec<String>) -> Verdict {
-        let v = CommonVolume {
-            volume,
-            place: None,
-            warnings,
-            samples: 1000,
-            inside,
-            sampled_volume: 500.0,
-        };
-        judge("a", "b", Ok(v), 0.001, &Allowed::default()).verdict
-    }
-
-    #[test]
-    fn a_boolean_is_not_believed_alone() {
-        assert_eq!(verdict(0.0, 0), Verdict::Pass);
-        assert_eq!(verdict(0.0011, 0), Verdict::Fail);
-        // The boolean says nothing, 30 of 1000 points say 15 mm3.
-        assert_eq!(verdict(0.0, 30), Verdict::Indeterminate);
-        assert_eq!(verdict(f64::NAN, 0), Verdict::Indeterminate);
-        assert_eq!(
-            warned(0.0, 0, vec!["bad face".to_owned()]),
-            Verdict::Indeterminate
-        );
-        let lost = Diagnostic::error(Code::WorkerCrashed, "", "");
-        assert_eq!(
-            judge("a", "b", Err(lost), 0.001, &Allowed::default()).verdict,
-            Verdict::Indeterminate
-        );
-    }
-
-    /// A press fit that means 6.3 mm3, up to `more` beyond.
-    fn pressed(volume: f64, inside: u32, more: f64) -> Judged {
-        let v = CommonVolume {
-            volume,
-            place: None,
-            warnings: Vec::new(),
-            samples: 1000,
-            inside,
-            sampled_volume: 500.0,
-        };
-        let allowed = Allowed {
-            mates: vec!["m".to_owned()],
-            least_mm3: 6.3,
-            most_mm3: 6.3 + more,
-            why: vec!["the ring".to_owned()],
-        };
-        judge("a", "b", Ok(v), 0.001, &allowed)
-    }
-
-    #[test]
-    fn an_overlap_that_a_mate_means_is_compared_with_it() {
-        // 6.3 of 500 mm3 are 12.6 of 1000 points.
-        let is = |j: Judged, verdict, class| {
-            assert_eq!((j.verdict, j.class), (verdict, class), "{:?}", j.finding);
-        };
-        is(pressed(6.3, 12, 0.0), Verdict::Pass, Overlapping::Expected);
-        is(pressed(6.35, 12, 0.0), Verdict::Pass, Overlapping::Expected);
-        is(pressed(6.38, 12, 0.0), Verdict::Fail, Overlapping::Clash);
-        is(pressed(6.38, 12, 1.0), Verdict::Pass, Overlapping::Expected);
-        is(pressed(6.2, 12, 0.0), Verdict::Fail, Overlapping::Expected);
-        is(pressed(0.0, 0, 0.0), Verdict::Fail, Overlapping::Expected);
-        // The points do not agree with the boolean: 100 of 1000 are 50 mm3.
-        is(
-            pressed(6.3, 100, 0.0),
-            Verdict::Indeterminate,
-            Overlapping::Unknown,
-        );
-        is(
-            pressed(0.0, 12, 0.0),
-            Verdict::Indeterminate,
-            Overlapping::Unknown,
-        );
-        is(
-            pressed(f64::NAN, 12, 0.0),
-            Verdict::Indeterminate,
-            Overlapping::Unknown,
-        );
-    }
-
-    #[test]
-    fn boxes_that_touch_are_not_apart() {
-        let a = ([0.0; 3], [1.0; 3]);
-        assert!(!apart(&a, &([1.0, 0.0, 0.0], [2.0, 1.0, 1.0])));
-        assert!(!apart(&a, &([0.2; 3], [0.8; 3])));
-        assert!(apart(&a, &([0.0, 0.0, 1.01], [1.0, 1.0, 2.0])));
-        assert!(apart(&([0.0, 0.0, 1.01], [1.0, 1.0, 2.0]), &a));
-        // A box that is no number is apart from nothing.
-        assert!(!apart(&([f64::NAN; 3], [f64::NAN; 3]), &a));
-    }
-}
+mod tests;

@@ -4,6 +4,7 @@
 //! is written back before the operation returns, so that a killed server loses nothing.
 
 mod axioms;
+mod bill;
 pub mod build;
 mod contact_check;
 pub mod draft;
@@ -13,11 +14,15 @@ mod freedom_check;
 mod interference;
 mod made;
 pub mod measure;
+mod near;
+pub mod page;
 mod partial;
 pub mod picture;
 pub mod place;
+mod port_use;
 mod ports_check;
 pub mod realize;
+pub mod report_files;
 pub mod resolve;
 mod rounds;
 pub mod state;

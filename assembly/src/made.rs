@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
+use assemcad_factories::Registry;
 use assemcad_model::ports::Port;
 use assemcad_model::recipe::Recipe;
 use serde_json::{Map, Value};
@@ -25,6 +26,11 @@ pub struct Made {
     pub lines: Vec<u32>,
     /// The ports, in the part's frame.
     pub ports: Vec<Port>,
+    /// The parameters as they were used: checked, with defaults filled in.
+    pub params: Map<String, Value>,
+    /// What a standard calls the part, where a built-in factory says so. Solids do not show whether such
+    /// a claim is true, so that it is not taken from factories that were admitted on evidence of solids.
+    pub designation: Option<String>,
 }
 
 /// Made parts by the hash of their recipe.
@@ -70,9 +76,17 @@ impl Workshop {
             .await?;
         let named = self.registry.get(factory).map_err(|d| vec![*d])?;
         let hash = evaluated.recipe.hash().ok();
+        let designation = evaluated
+            .designation
+            .clone()
+            .filter(|_| Registry::is_builtin(named.name()));
         if let Some(known) = hash.as_deref().and_then(|hash| self.kept.get(hash)) {
-            // Two sources may have one recipe: the lines are those of the source that was asked for.
-            if known.lines == evaluated.lines {
+            // Two sources, or two sets of parameters, may have one recipe: what goes beside it is that of
+            // those that were asked for.
+            if known.lines == evaluated.lines
+                && known.params == evaluated.params
+                && known.designation == designation
+            {
                 return Ok(known);
             }
         }
@@ -86,6 +100,8 @@ impl Workshop {
             recipe: evaluated.recipe.clone(),
             lines: evaluated.lines.clone(),
             ports: built.ports,
+            params: evaluated.params.clone(),
+            designation,
         });
         if let Some(hash) = hash {
             self.kept.put(hash, Arc::clone(&made));

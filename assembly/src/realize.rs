@@ -13,9 +13,9 @@ use serde::Serialize;
 use crate::export::{Exported, Step};
 use crate::resolve::{self, Resolved};
 use crate::state::State;
-use crate::store::{file_of, json_bytes, specification, yaml_bytes};
-use crate::verify::{self, report_file};
-use crate::{Faults, Workshop, place};
+use crate::store::{file_of, specification, yaml_bytes};
+use crate::verify::{self, Terms};
+use crate::{Faults, Workshop, place, report_files};
 
 /// The stages, in order.
 pub const STAGES: [&str; 7] = [
@@ -121,7 +121,7 @@ impl Workshop {
     pub async fn realize(
         &self,
         text: &str,
-        tau_mm3: f64,
+        terms: &Terms,
         keep_failed: bool,
     ) -> Result<Realized, Faults> {
         let mut run = Run {
@@ -158,8 +158,8 @@ impl Workshop {
         };
         let summary = format!("{} parts, {} mates", spec.parts.len(), spec.mates.len());
         run.end(Verdict::Pass, summary, checked.diagnostics);
-        let kept = match self.stages(&spec, tau_mm3, keep_failed, &mut run).await {
-            Ok((resolved, report, step)) => Some(self.keep(&spec, &resolved, &report, step).await?),
+        let kept = match self.stages(&spec, terms, keep_failed, &mut run).await {
+            Ok((resolved, report, step)) => Some(self.keep(&spec, &resolved, report, step).await?),
             Err(Stopped) => None,
         };
         Ok(Realized {
@@ -172,7 +172,7 @@ impl Workshop {
     async fn stages(
         &self,
         spec: &Assembly,
-        tau_mm3: f64,
+        terms: &Terms,
         keep_failed: bool,
         run: &mut Run,
     ) -> Result<(Resolved, Report, Step), Stopped> {
@@ -220,7 +220,7 @@ impl Workshop {
         let n = placed.parts.iter().flatten().count();
         run.end(Verdict::Pass, format!("{n} parts placed"), Vec::new());
 
-        let report = match self.verify_specification(spec, tau_mm3, Some(ports)).await {
+        let report = match self.verify_specification(spec, terms, Some(ports)).await {
             Ok(report) => report,
             Err(faults) => return Err(stop(run, verdict_of(&faults), faults)),
         };
@@ -271,32 +271,31 @@ impl Workshop {
         ports
     }
 
-    /// Puts specification, report and STEP file on disk as one step.
+    /// Puts specification, reports and STEP file on disk as one step.
     async fn keep(
         &self,
         spec: &Assembly,
         resolved: &Resolved,
-        report: &Report,
+        mut report: Report,
         step: Step,
     ) -> Result<Kept, Faults> {
         let one = |d: Diagnostic| vec![d];
         let id = spec.id.as_str();
         let mut state = State::of(spec, resolved).map_err(one)?;
-        let (report_file, step_file) = (report_file(id), file_of(id, &format!("{id}.step")));
+        let step_file = file_of(id, &format!("{id}.step"));
+        report.step = Some(step.file(&step_file));
         let yaml = yaml_bytes(spec).map_err(one)?;
-        let json = json_bytes(&report_file, report).map_err(one)?;
+        let reports = report_files::files(&report).map_err(one)?;
         self.store.make_folder(id).map_err(one)?;
         let _lock = self.store.lock(id).await.map_err(one)?;
         let replaced = self.store.exists(id) && self.store.load(id).ok().as_ref() != Some(spec);
         state.warnings = self.store.lost_by_writing(id);
         // The specification last: until it is there, the assembly is the one that it was.
-        self.store
-            .write_all(&[
-                (&step_file, &step.bytes),
-                (&report_file, &json),
-                (&specification(id), &yaml),
-            ])
-            .map_err(one)?;
+        let specification = specification(id);
+        let mut files: Vec<(&str, &[u8])> = vec![(&step_file, &step.bytes)];
+        files.extend(reports.iter().map(|(p, b)| (p.as_str(), b.as_slice())));
+        files.push((&specification, &yaml));
+        self.store.write_all(&files).map_err(one)?;
         Ok(Kept {
             state,
             exported: step.exported(step_file, Some(report.verdict)),

@@ -19,11 +19,35 @@ use crate::freedom_check::check_freedom;
 use crate::place::{self, Placed};
 use crate::resolve::{self, Resolved};
 use crate::state::hash;
-use crate::store::file_of;
-use crate::{Faults, Workshop};
+use crate::{Faults, Workshop, bill, port_use};
 
 /// Common volume above which two parts clash where the caller states none, in mm3.
 pub const DEFAULT_TAU_MM3: f64 = 0.001;
+
+/// What a caller of a verification may choose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Terms {
+    /// Common volume above which two parts clash, in mm3.
+    pub tau_mm3: f64,
+    /// Distance below which parts that do not touch are told of, in mm; 0 asks for none.
+    pub clearance_mm: f64,
+    /// Density of all parts in kg/m3; [`crate::measure::DEFAULT_DENSITY`] where it is not stated.
+    pub density_kg_m3: Option<f64>,
+}
+
+impl Default for Terms {
+    fn default() -> Self {
+        Self {
+            tau_mm3: DEFAULT_TAU_MM3,
+            clearance_mm: 0.0,
+            density_kg_m3: None,
+        }
+    }
+}
+
+/// What is not checked where no clearance is asked for.
+const NO_CLEARANCE: &str =
+    "clearance: the distances of parts that do not touch (clearance_mm asks for it)";
 
 /// What this version does not check.
 const NOT_CHECKED: [&str; 2] = [
@@ -36,12 +60,11 @@ impl Workshop {
     ///
     /// # Errors
     /// When there is no assembly to verify. What is wrong *with* it is in the report.
-    pub async fn verify(&self, id: &str, tau_mm3: f64) -> Result<Report, Faults> {
+    pub async fn verify(&self, id: &str, terms: &Terms) -> Result<Report, Faults> {
         let spec = self.store.load(id).map_err(|d| vec![d])?;
-        let report = self.verify_specification(&spec, tau_mm3, None).await?;
-        self.store
-            .write_json(&report_file(id), &report)
-            .map_err(|d| vec![d])?;
+        let mut report = self.verify_specification(&spec, terms, None).await?;
+        report.step = self.known_step(&report);
+        self.write_report(&report).map_err(|d| vec![d])?;
         Ok(report)
     }
 
@@ -53,7 +76,7 @@ impl Workshop {
     pub(crate) async fn verify_specification(
         &self,
         spec: &Assembly,
-        tau_mm3: f64,
+        terms: &Terms,
         ports: Option<Run>,
     ) -> Result<Report, Faults> {
         let id = spec.id.as_str();
@@ -69,8 +92,9 @@ impl Workshop {
             ]);
         }
         let placed = place::assembly(&resolved).map_err(|d| vec![d])?;
+        let tau_mm3 = terms.tau_mm3;
         let mut run = Run::default();
-        let (built, parts) = self.check_parts(&resolved, &placed, &mut run).await;
+        let (built, mut parts) = self.check_parts(&resolved, &placed, &mut run).await;
         match ports {
             Some(known) => {
                 run.findings.extend(known.findings);
@@ -80,11 +104,20 @@ impl Workshop {
         }
         let mut mates = check_mates(&resolved, &placed, &mut run);
         let pairs = self
-            .check_pairs(&resolved, &placed, &built, tau_mm3, &mut run)
+            .check_pairs(spec, (&resolved, &placed), &built, tau_mm3, &mut run)
             .await;
+        let clearance_mm = (terms.clearance_mm > 0.0).then_some(terms.clearance_mm);
+        let near_misses = match clearance_mm {
+            Some(mm) => {
+                self.check_clearance(&resolved, &placed, &built, &pairs, mm, &mut run)
+                    .await
+            }
+            None => Vec::new(),
+        };
         self.check_contact(&resolved, &placed, &pairs, &mut mates, tau_mm3, &mut run)
             .await;
         check_connectivity(spec, &resolved, &mut run);
+        port_use::check(spec, &resolved, &mut run);
         let freedom = check_freedom(spec, &resolved, &placed, &mut run);
         let measured = Measurements {
             built: &built,
@@ -96,7 +129,12 @@ impl Workshop {
         };
         let axioms = axioms::run(self, spec, &resolved, &placed, &measured, &mut run).await;
         let mut not_checked = NOT_CHECKED.map(str::to_owned).to_vec();
+        if clearance_mm.is_none() {
+            not_checked.push(NO_CLEARANCE.to_owned());
+        }
         not_checked.extend(axioms::not_checked(&axioms));
+        let mass = bill::mass(&placed, &built, terms.density_kg_m3, &mut parts);
+        let bill_of_materials = bill::lines(&resolved, &parts).map_err(|d| vec![d])?;
         // Stable: within a verdict, the order of the checks and of the specification.
         run.findings.sort_by_key(|f| core::cmp::Reverse(f.verdict));
         let verdict = run
@@ -107,6 +145,7 @@ impl Workshop {
             format: FORMAT,
             assembly: id.to_owned(),
             specification_sha256: hash(spec).map_err(|d| vec![d])?,
+            step: None,
             kernel: assemcad_kernel::version(),
             verdict,
             findings: run.findings,
@@ -118,6 +157,10 @@ impl Workshop {
             parts,
             mates,
             pairs,
+            clearance_mm,
+            near_misses,
+            mass,
+            bill_of_materials,
             freedom,
         })
     }
@@ -140,6 +183,7 @@ impl Workshop {
                 recipe_sha256: None,
                 verdict: Verdict::Pass,
                 volume_mm3: None,
+                mass_kg: None,
                 centre_mm: None,
                 box_mm: None,
                 placement: placement.map(Into::into),
@@ -173,12 +217,6 @@ impl Workshop {
         );
         (built, facts)
     }
-}
-
-/// The file of an assembly's report, below the root.
-#[must_use]
-pub fn report_file(id: &str) -> String {
-    file_of(id, "report.json")
 }
 
 /// Findings and checks as they come in.

@@ -131,6 +131,12 @@ pub enum Code {
     ContactMissing,
     /// Two parts overlap.
     Clash,
+    /// The same part twice in one place.
+    Duplicate,
+    /// Two parts that do not touch are nearer to each other than was asked for.
+    NearMiss,
+    /// A port joined more often than it can serve.
+    PortOverused,
     /// A part is not joined to the root.
     Unconnected,
     /// More or fewer motions are free than the specification intends.

@@ -9,6 +9,11 @@ use crate::frame::Rows;
 use crate::freedom::Freedom;
 use crate::mates::{MateType, Residual};
 
+mod bill;
+pub mod schema;
+
+pub use bill::{BillLine, Mass, NearMiss, StepFile};
+
 /// The version of the report's format.
 pub const FORMAT: u32 = 1;
 
@@ -43,6 +48,9 @@ pub struct Report {
     pub assembly: String,
     /// SHA-256 of the specification that was verified.
     pub specification_sha256: String,
+    /// The STEP file of this very specification, where it was written; it names the specification in turn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub step: Option<StepFile>,
     /// The kernel that answered.
     pub kernel: String,
     /// The worst verdict of all checks.
@@ -65,6 +73,16 @@ pub struct Report {
     pub mates: Vec<MateFacts>,
     /// The pairs of parts whose boxes meet; all other pairs are apart.
     pub pairs: Vec<PairFacts>,
+    /// The clearance that was asked for between parts that do not touch, in mm; absent where none was.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clearance_mm: Option<f64>,
+    /// The pairs that are nearer to each other than that.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub near_misses: Vec<NearMiss>,
+    /// What the assembly weighs.
+    pub mass: Mass,
+    /// The parts, equal ones counted together.
+    pub bill_of_materials: Vec<BillLine>,
     /// Which motions the mates leave, where that could be told.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub freedom: Option<Freedom>,
@@ -223,6 +241,9 @@ pub struct PartFacts {
     /// Volume in mm3.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub volume_mm3: Option<f64>,
+    /// Mass in kg, by the density of the report's `mass`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mass_kg: Option<f64>,
     /// Centre of mass in the world, in mm, where the part is placed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub centre_mm: Option<[f64; 3]>,

@@ -33,6 +33,9 @@ pub struct Evaluated {
     pub lines: Vec<u32>,
     /// The parameters as they were used: checked, with defaults filled in.
     pub params: Map<String, Value>,
+    /// The part's designation by a standard, where its source defines `designation(p)` and states one.
+    #[serde(default)]
+    pub designation: Option<String>,
 }
 
 /// Evaluates a plain script: statements as of CadQuery that leave the part in `result`, or give it to
@@ -58,6 +61,7 @@ pub fn script_within(
         recipe,
         lines,
         params: Map::new(),
+        designation: None,
     })
 }
 
@@ -195,11 +199,12 @@ impl Factory {
             source: Arc::clone(&self.source),
             limits: self.limits.clone(),
         };
-        let (recipe, lines) = job.build(self.params.clone(), params.clone())?;
+        let ((recipe, lines), designation) = job.build(self.params.clone(), params.clone())?;
         Ok(Evaluated {
             recipe,
             lines,
             params,
+            designation,
         })
     }
 }

@@ -27,7 +27,9 @@ A factory:
         plate = cq.Workplane("XY").box(p.length, 40, 8, centered=(True, True, False))
         plate = plate.faces(">Z").workplane().rarray(p.length / p.holes, 1, p.holes, 1).bore_port("hole", 5)
         return plate.faces("<Z").workplane().face_port("bottom")
-`require(condition, message)` states a rule between parameters, `fail(message)` refuses them. A plain
+`require(condition, message)` states a rule between parameters, `fail(message)` refuses them.
+`def designation(p)` may return what a standard calls the part ("ISO 4032 - M8"), for the bill of
+materials, or None; of a factory that is not built in it is not taken up. A plain
 script has neither factory nor build and leaves its part in `result`. Chains keep their pending wires and
 tags as in CadQuery. + | unite, - cuts, * & intersect, / splits.
 "#;

@@ -31,6 +31,9 @@ pub(crate) struct Job {
 /// What `build(p)` made: the recipe and the line of each call.
 pub(crate) type Built = (assemcad_model::recipe::Recipe, Vec<u32>);
 
+/// The longest designation of a part, in bytes.
+const MOST_DESIGNATION: usize = 80;
+
 /// The language: Starlark with statements at the top level and keyword-only parameters; types may be
 /// written and mean nothing.
 pub(crate) fn dialect() -> Dialect {
@@ -73,12 +76,13 @@ impl Job {
         })
     }
 
-    /// Evaluates the top level and then `build(p)` with checked parameters.
+    /// Evaluates the top level and then `build(p)` with checked parameters, and `designation(p)` where
+    /// the source defines it.
     pub(crate) fn build(
         self,
         specs: Vec<ParamSpec>,
         params: Map<String, Json>,
-    ) -> Result<Built, Vec<Diagnostic>> {
+    ) -> Result<(Built, Option<String>), Vec<Diagnostic>> {
         self.in_thread(move |job, cancelled| {
             job.evaluate(cancelled, &Map::new(), |job, session, module, eval, _| {
                 session.building.set(true);
@@ -97,7 +101,15 @@ impl Job {
                 }
                 let result = result.map_err(|e| vec![fault::diagnostic(&job.name, session, &e)])?;
                 let hint = "end build(p) with `return` and the finished workplane";
-                built(job, session, "build(p) returned", result, hint)
+                let made = built(job, session, "build(p) returned", result, hint)?;
+                // Only now: what it is called is asked of a part that there is.
+                let Some(designation) = module.get("designation") else {
+                    return Ok((made, None));
+                };
+                let name = eval
+                    .eval_function(designation, &[p], &[])
+                    .map_err(|e| vec![fault::diagnostic(&job.name, session, &e)])?;
+                Ok((made, designated(job, name)?))
             })
         })
     }
@@ -208,6 +220,29 @@ impl Job {
                 .map_err(|e| one(&e))?;
             finish(self, &session, &module, &mut eval, last)
         })
+    }
+}
+
+/// What `designation(p)` returned: a short text of one line, or None.
+fn designated(job: &Job, name: Value<'_>) -> Result<Option<String>, Vec<Diagnostic>> {
+    if name.is_none() {
+        return Ok(None);
+    }
+    match name.unpack_str() {
+        Some(text)
+            if !text.is_empty()
+                && text.len() <= MOST_DESIGNATION
+                && !text.chars().any(char::is_control) =>
+        {
+            Ok(Some(text.to_owned()))
+        }
+        _ => Err(vec![
+            Fault::new("designation(p) returned neither None nor a short text of one line")
+                .hint(format!(
+                    "return None, or a designation of at most {MOST_DESIGNATION} characters"
+                ))
+                .diagnostic(&job.name, None),
+        ]),
     }
 }
 

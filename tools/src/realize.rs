@@ -1,8 +1,9 @@
 //! `realize`.
 
 use assemcad_assembly::realize::Stage;
+use assemcad_assembly::report_files::report_file;
 use assemcad_assembly::state::State;
-use assemcad_assembly::verify::report_file;
+use assemcad_assembly::verify::Terms;
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::report::Verdict;
 use schemars::JsonSchema;
@@ -29,6 +30,14 @@ pub(crate) struct Arguments {
     #[serde(default = "default_tau")]
     #[schemars(range(min = 0.0, max = 1e6))]
     tau_mm3: f64,
+    /// Tell of pairs of parts that do not touch and are nearer to each other than this, in mm; 0 for none.
+    #[serde(default)]
+    #[schemars(range(min = 0.0, max = 1e4))]
+    clearance_mm: f64,
+    /// Density of all parts in kg/m3; that of steel, 7850, where it is left out.
+    #[serde(default)]
+    #[schemars(range(min = 1.0, max = 3e4))]
+    density_kg_m3: Option<f64>,
     /// Store and export the assembly even where its verification fails.
     #[serde(default)]
     keep_failed: bool,
@@ -52,7 +61,7 @@ pub(crate) struct Answer {
     /// Its SHA-256.
     #[serde(skip_serializing_if = "Option::is_none")]
     step_sha256: Option<String>,
-    /// The whole report, below the server's root folder.
+    /// The whole report, below the server's root folder; beside it report.md and report.html for people.
     #[serde(skip_serializing_if = "Option::is_none")]
     report_file: Option<String>,
     /// The assembly now.
@@ -74,7 +83,12 @@ impl Tool for Realize {
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
         let text = validate_draft::text(workshop, a.draft, a.file.as_deref())?;
-        let done = workshop.realize(&text, a.tau_mm3, a.keep_failed).await?;
+        let terms = Terms {
+            tau_mm3: a.tau_mm3,
+            clearance_mm: a.clearance_mm,
+            density_kg_m3: a.density_kg_m3,
+        };
+        let done = workshop.realize(&text, &terms, a.keep_failed).await?;
         let mut not_shown = 0;
         let mut stages = done.stages;
         for stage in &mut stages {

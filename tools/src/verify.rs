@@ -1,8 +1,12 @@
 //! `verify`.
 
-use assemcad_assembly::verify::{DEFAULT_TAU_MM3, report_file};
+use assemcad_assembly::report_files::{report_file, report_html, report_markdown};
+use assemcad_assembly::verify::{DEFAULT_TAU_MM3, Terms};
 use assemcad_assembly::{Faults, Workshop};
-use assemcad_model::report::{Axioms, Check, Finding, MateFacts, PairFacts, PartFacts, Verdict};
+use assemcad_model::report::{
+    Axioms, BillLine, Finding, Mass, MateFacts, NearMiss, PairFacts, PartFacts, Report, StepFile,
+    Verdict,
+};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -10,8 +14,8 @@ use crate::{Effect, Tool};
 
 pub(crate) struct Verify;
 
-/// How many findings an answer holds at most; the report's file holds all.
-const MOST_FINDINGS: usize = 20;
+/// How many findings a concise answer holds at most; the report's file holds all.
+const MOST_FINDINGS: usize = 10;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -22,7 +26,16 @@ pub(crate) struct Arguments {
     #[serde(default = "default_tau")]
     #[schemars(range(min = 0.0, max = 1e6))]
     tau_mm3: f64,
-    /// How much is told; 'full' adds what was measured of every part, mate and pair.
+    /// Tell of pairs of parts that do not touch and are nearer to each other than this, in mm; 0 for none.
+    #[serde(default)]
+    #[schemars(range(min = 0.0, max = 1e4))]
+    clearance_mm: f64,
+    /// Density of all parts in kg/m3; that of steel, 7850, where it is left out.
+    #[serde(default)]
+    #[schemars(range(min = 1.0, max = 3e4))]
+    density_kg_m3: Option<f64>,
+    /// How much is told; 'full' adds all findings with their values and axioms, and what was measured of
+    /// every part, mate and pair.
     #[serde(default)]
     detail: Detail,
 }
@@ -44,23 +57,44 @@ pub(crate) enum Detail {
 pub(crate) struct Answer {
     /// The worst verdict of all checks.
     verdict: Verdict,
-    /// What is wrong or could not be told, worst first.
+    /// What is wrong or could not be told, worst first; at most 10, in short, unless detail is 'full'.
     findings: Vec<Finding>,
     /// How many findings there are.
     findings_total: usize,
     /// The checks that were made.
-    checks: Vec<Check>,
+    checks: Vec<Counted>,
     /// What was not checked, and why.
     not_checked: Vec<String>,
     /// What the engineering axioms came to, counted; one by one with detail 'full'.
     axioms: Axioms,
+    /// The mass of all parts in kg, where all could be made.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    mass_kg: Option<f64>,
     /// The whole report, below the server's root folder.
     report_file: String,
+    /// The report for people to read, as Markdown and as a page for browsers.
+    report_pages: [String; 2],
     /// SHA-256 of the specification that was verified.
     specification_sha256: String,
     /// What was measured; with detail 'full' only.
     #[serde(skip_serializing_if = "Option::is_none")]
     measured: Option<Measured>,
+}
+
+/// A kind of check.
+#[derive(Debug, Serialize, JsonSchema)]
+struct Counted {
+    /// Name.
+    check: String,
+    /// The worst verdict of its cases.
+    verdict: Verdict,
+    /// How many cases there were.
+    cases: usize,
+    /// How many findings it made, warnings counted in.
+    findings: usize,
+    /// How it was checked; with detail 'full' only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    how: Option<String>,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -71,6 +105,15 @@ struct Measured {
     mates: Vec<MateFacts>,
     /// The pairs of parts whose boxes meet.
     pairs: Vec<PairFacts>,
+    /// The pairs that are nearer to each other than was asked for.
+    near_misses: Vec<NearMiss>,
+    /// What the assembly weighs.
+    mass: Mass,
+    /// The parts, equal ones counted together.
+    bill_of_materials: Vec<BillLine>,
+    /// The STEP file of this very specification, where it was written.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    step: Option<StepFile>,
 }
 
 impl Tool for Verify {
@@ -82,32 +125,70 @@ impl Tool for Verify {
         its ports, every mate holding and touching where it promises contact, no two parts \
         overlapping by more than their mates mean and tau, every part joined to the root, and the \
         engineering axioms (find_axioms). Answers pass, fail or indeterminate with what was found and \
-        what was not checked, and leaves the whole report as a file. Findings with verdict pass are \
-        warnings. Call it before export_step. 'full' is long.";
+        what was not checked, in short; the whole report, with masses and bill of materials, is left as \
+        JSON, Markdown and HTML. Findings with verdict pass are warnings. Call it before export_step.";
     const EFFECT: Effect = Effect::Adds;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
-        let report = workshop.verify(&a.assembly, a.tau_mm3).await?;
-        let findings_total = report.findings.len();
-        let mut axioms = report.axioms;
-        if a.detail == Detail::Concise {
-            axioms.each.clear();
-        }
-        let measured = (a.detail == Detail::Full).then_some(Measured {
+        let terms = Terms {
+            tau_mm3: a.tau_mm3,
+            clearance_mm: a.clearance_mm,
+            density_kg_m3: a.density_kg_m3,
+        };
+        let report = workshop.verify(&a.assembly, &terms).await?;
+        Ok(answer(report, a.detail == Detail::Full))
+    }
+}
+
+fn answer(report: Report, full: bool) -> Answer {
+    let findings_total = report.findings.len();
+    let of = |check: &str| report.findings.iter().filter(|f| f.check == check).count();
+    let checks = report
+        .checks
+        .into_iter()
+        .map(|c| Counted {
+            findings: of(&c.check),
+            check: c.check,
+            verdict: c.verdict,
+            cases: c.cases,
+            how: full.then_some(c.how),
+        })
+        .collect();
+    let id = report.assembly.as_str();
+    let files = (report_file(id), [report_markdown(id), report_html(id)]);
+    let (mut findings, mut axioms) = (report.findings, report.axioms);
+    if !full {
+        axioms.each.clear();
+        findings.truncate(MOST_FINDINGS);
+        findings.iter_mut().for_each(shorten);
+    }
+    Answer {
+        verdict: report.verdict,
+        findings,
+        findings_total,
+        checks,
+        not_checked: report.not_checked,
+        axioms,
+        mass_kg: report.mass.total_kg,
+        report_file: files.0,
+        report_pages: files.1,
+        specification_sha256: report.specification_sha256,
+        measured: full.then_some(Measured {
             parts: report.parts,
             mates: report.mates,
             pairs: report.pairs,
-        });
-        Ok(Answer {
-            verdict: report.verdict,
-            findings: report.findings.into_iter().take(MOST_FINDINGS).collect(),
-            findings_total,
-            checks: report.checks,
-            not_checked: report.not_checked,
-            axioms,
-            report_file: report_file(&a.assembly),
-            specification_sha256: report.specification_sha256,
-            measured,
-        })
+            near_misses: report.near_misses,
+            mass: report.mass,
+            bill_of_materials: report.bill_of_materials,
+            step: report.step,
+        }),
     }
+}
+
+/// Leaves what an agent needs to go on: code, message, parts, mates, advice and the next call.
+fn shorten(finding: &mut Finding) {
+    finding.values.clear();
+    finding.axioms.clear();
+    finding.diagnostic.found = None;
+    finding.diagnostic.expected = None;
 }

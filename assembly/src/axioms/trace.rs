@@ -3,6 +3,7 @@
 use assemcad_axioms::knowledge::axiom;
 use assemcad_axioms::verdict::Verdict as Told;
 use assemcad_axioms::{Axiom, Status};
+use assemcad_model::diagnostic::Code;
 use assemcad_model::report::{AxiomRole, AxiomTrace, Finding, Verdict};
 use assemcad_model::spec::Assembly;
 
@@ -50,6 +51,7 @@ fn same(axiom: &Axiom, told: &Told, finding: &Finding) -> bool {
         ("F-04", "interference") => (failed || open) && parts(),
         ("F-05", "contact") => (failed || open) && mate(),
         ("C-01" | "C-02", "mates") if failed => mate(),
+        ("K-03", "freedom") => failed && finding.diagnostic.code == Code::MobilityDiffers,
         // Without a place nothing can be told of a mate, whatever it is about.
         (_, "mates") => open && mate(),
         _ => false,

@@ -50,6 +50,8 @@ fn assembly(parts: &[&str], mates: &[(&str, MateType, &str, &str, Value)]) -> Re
         },
         lines: Vec::new(),
         ports: ports.clone(),
+        params: serde_json::Map::new(),
+        designation: None,
     });
     let part = |id: &&str| ResolvedPart {
         id: (*id).to_owned(),

@@ -28,6 +28,19 @@ impl Store {
         serde_json::from_slice(&bytes).ok()
     }
 
+    /// Reads a file below the root, `None` where there is none.
+    #[must_use]
+    pub fn read_bytes(&self, path: &str) -> Option<Vec<u8>> {
+        let inside = inside(path).ok()?;
+        // Opening a pipe would wait for whoever writes to it.
+        if !self.root.metadata(inside).ok()?.is_file() {
+            return None;
+        }
+        let mut bytes = Vec::new();
+        self.root.open(inside).ok()?.read_to_end(&mut bytes).ok()?;
+        Some(bytes)
+    }
+
     /// Writes a file below the root; it is on disk when this returns.
     ///
     /// # Errors

@@ -24,12 +24,14 @@ mod effect;
 mod face_to_face;
 mod gear_mesh;
 mod press_fit;
+mod serving;
 mod shared;
 mod snap_to_face;
 mod thread_engage;
 
 pub use effect::{Contact, Coupling, Freedom, Overlap, Twist};
 use effect::{SLIDE_X, SLIDE_Y, SLIDE_Z, SPIN};
+pub use serving::{Once, serves_once};
 use shared::{
     along_axis, at_most, axial_residual_deg, common_length, degrees, direction, distance_mm,
     millimetres, no_conditions, no_overlap, no_play, off_axis_mm, opposed_residual_deg, over,
