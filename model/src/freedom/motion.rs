@@ -5,12 +5,11 @@
 //! then by name; the bodies' twists. Each motion then has one coordinate, its driver, at 1, at which all others
 //! stand still: a chain of joints comes out joint by joint, a mechanism as driven by its joint at the ground.
 
-use nalgebra::{DMatrix, DVector, Vector3};
+use nalgebra::{DMatrix, DVector};
 
-use super::System;
-use super::island::{Model, twist_of};
 use super::linear::{null_space, rank_above};
-use super::rigid::{angular, stack};
+use super::model::{Model, Tie, twist_of};
+use super::rigid::angular;
 
 /// Free motions as twists of all moving bodies, in the island's units.
 pub(super) struct Basis {
@@ -26,18 +25,13 @@ const SLOW: f64 = 1e-3;
 /// Below this share of the largest component a body stands still.
 pub(super) const STILL: f64 = 1e-7;
 
-pub(super) fn basis(
-    model: &Model,
-    system: &System,
-    matrix: &DMatrix<f64>,
-    free: &DMatrix<f64>,
-) -> Basis {
+pub(super) fn basis(model: &Model, matrix: &DMatrix<f64>, free: &DMatrix<f64>) -> Basis {
     let mut left: Vec<DVector<f64>> = free
         .column_iter()
         .map(|c| c.into_owned() / c.amax().max(f64::MIN_POSITIVE))
         .collect();
     let mut out = Basis {
-        motions: idle(model, system, matrix),
+        motions: idle(model, matrix),
         idle: 0,
         travels: Vec::new(),
     };
@@ -58,50 +52,49 @@ pub(super) fn basis(
             *slot = v;
         }
     }
+    let with_rates = |v: DVector<f64>| (coordinates(model, &v), v);
+    let mut left: Vec<(DVector<f64>, DVector<f64>)> = left.into_iter().map(with_rates).collect();
+    let mut chosen: Vec<(DVector<f64>, DVector<f64>)> = Vec::new();
     for slow in [SLOW, STILL] {
         let mut row = 0;
-        while out.motions.len() < free.ncols() {
-            let rates: Vec<DVector<f64>> = left.iter().map(|v| coordinates(model, v)).collect();
-            if rates.iter().all(|r| row >= r.len()) {
+        while out.idle + chosen.len() < free.ncols() {
+            if left.iter().all(|(rates, _)| row >= rates.len()) {
                 break;
             }
             let mut best: Option<(usize, f64)> = None;
-            for (i, (rate, v)) in rates.iter().zip(&left).enumerate() {
-                let fast = entry(rate, row).abs() > slow * rate.amax() && v.amax() > STILL;
+            for (i, (rates, v)) in left.iter().enumerate() {
+                let rate = entry(rates, row).abs();
                 let most = best.map_or(0.0, |(_, b)| b);
-                if fast && entry(rate, row).abs() > most * (1.0 + 1e-9) {
-                    best = Some((i, entry(rate, row).abs()));
+                if rate > most * (1.0 + 1e-9) && rate > slow * rates.amax() && v.amax() > STILL {
+                    best = Some((i, rate));
                 }
             }
             if let Some((i, _)) = best {
-                let by = rates.get(i).map_or(1.0, |r| entry(r, row));
-                let v = left.remove(i) / by;
-                let own = entry(&coordinates(model, &v), row);
-                let clear = |other: &mut DVector<f64>| {
-                    let by = entry(&coordinates(model, other), row) / own;
+                let (rates, v) = left.remove(i);
+                let by = entry(&rates, row);
+                let (rates, v) = (rates / by, v / by);
+                for (other_rates, other) in left.iter_mut().chain(&mut chosen) {
+                    let by = entry(other_rates, row);
                     *other -= &v * by;
-                };
-                left.iter_mut().for_each(clear);
-                out.motions.iter_mut().skip(out.idle).for_each(clear);
+                    *other_rates -= &rates * by;
+                }
                 out.travels.push(travel(model, row));
-                out.motions.push(v);
+                chosen.push((rates, v));
             }
             row += 1;
         }
     }
+    out.motions.extend(chosen.into_iter().map(|(_, v)| v));
     out
 }
 
 /// Motions in which bodies turn about axes of their own and nothing else moves.
-fn idle(model: &Model, system: &System, matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
+fn idle(model: &Model, matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
     let mut spins = Vec::new();
-    for (i, body) in model.moving.iter().enumerate() {
-        if let Some(axis) = system.bodies.get(*body).and_then(|b| b.spin) {
-            let (p, d) = (Vector3::from(axis.point), Vector3::from(axis.direction));
-            let p = (p - model.middle) / model.length;
+    for (i, spin) in model.spins.iter().enumerate() {
+        if let Some(spin) = spin {
             let mut v = DVector::zeros(model.columns());
-            v.fixed_rows_mut::<6>(6 * i)
-                .copy_from(&stack(&d, &p.cross(&d)));
+            v.fixed_rows_mut::<6>(6 * i).copy_from(spin);
             spins.push(v);
         }
     }
@@ -115,20 +108,19 @@ fn idle(model: &Model, system: &System, matrix: &DMatrix<f64>) -> Vec<DVector<f6
     free.column_iter().map(|c| c.into_owned()).collect()
 }
 
-/// The order of the links: by their farther body as found from the ground, then by name.
-fn order(model: &Model) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..model.links.len()).collect();
-    order.sort_by_key(|l| model.links.get(*l).map(|(a, b, _)| (*a).max(*b)));
+/// The ties by their farther body as found from the ground, then by name.
+fn order(model: &Model) -> Vec<&Tie> {
+    let mut order: Vec<&Tie> = model.ties.iter().collect();
+    order.sort_by_key(|t| t.far);
     order
 }
 
 /// The coordinates of a motion, in the order in which they are chosen as drivers.
 fn coordinates(model: &Model, motion: &DVector<f64>) -> DVector<f64> {
     let mut out = Vec::new();
-    for l in order(model) {
-        if let Some((base, incoming, link)) = model.links.get(l) {
-            out.extend(link.rates(&(twist_of(motion, *incoming) - twist_of(motion, *base))));
-        }
+    for tie in order(model) {
+        let relative = twist_of(motion, tie.incoming) - twist_of(motion, tie.base);
+        out.extend(tie.scaled.rates(&relative));
     }
     out.extend(motion.iter());
     DVector::from_vec(out)
@@ -140,13 +132,11 @@ fn entry(v: &DVector<f64>, i: usize) -> f64 {
 
 /// Whether a coordinate is a travel.
 fn travel(model: &Model, mut row: usize) -> bool {
-    for l in order(model) {
-        if let Some((_, _, link)) = model.links.get(l) {
-            let free = link.free();
-            match free.get(row) {
-                Some(t) => return angular(t).norm() == 0.0,
-                None => row -= free.len(),
-            }
+    for tie in order(model) {
+        let free = tie.scaled.free();
+        match free.get(row) {
+            Some(t) => return angular(t).norm() == 0.0,
+            None => row -= free.len(),
         }
     }
     row % 6 >= 3

@@ -3,7 +3,8 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::island::{Island, Model, twist_of};
+use super::island::Island;
+use super::model::{Model, twist_of};
 use super::motion::{Basis, STILL};
 use super::rigid::{angular, linear};
 use super::{Lasting, System};
@@ -60,7 +61,7 @@ pub(super) fn named(
     model: &Model,
     system: &System,
     basis: &Basis,
-    lasting: Option<&[Lasting]>,
+    lasting: &[Lasting],
 ) -> Vec<Motion> {
     let name = |b: &usize| system.bodies.get(*b).map_or("", |b| b.name.as_str());
     let mut out = Vec::new();
@@ -80,27 +81,38 @@ pub(super) fn named(
             bodies: Vec::new(),
         });
     }
-    for (i, (motion, travels)) in basis.motions.iter().zip(&basis.travels).enumerate() {
-        let unit = if *travels { 1.0 / model.length } else { 1.0 };
+    for i in 0..basis.motions.len() {
         let idle = i < basis.idle;
-        let moving = model.moving.iter().enumerate();
-        let bodies: Vec<BodyMotion> = moving
-            .filter_map(|(k, b)| {
-                let t = twist_of(motion, Some(k));
-                (t.amax() > STILL * motion.amax()).then(|| body_motion(name(b), model, &(t * unit)))
-            })
-            .collect();
+        let bodies = body_motions(model, system, basis, i);
         out.push(Motion {
             name: words(&bodies, idle),
             count: 1,
             idle,
-            lasting: lasting.map_or(Lasting::True, |l| {
-                l.get(i).copied().unwrap_or(Lasting::Indeterminate)
-            }),
+            lasting: lasting.get(i).copied().unwrap_or(Lasting::Indeterminate),
             bodies,
         });
     }
     out
+}
+
+/// What the bodies do in a motion of a basis.
+pub(super) fn body_motions(
+    model: &Model,
+    system: &System,
+    basis: &Basis,
+    motion: usize,
+) -> Vec<BodyMotion> {
+    let travels = basis.travels.get(motion) == Some(&true);
+    let unit = if travels { 1.0 / model.length } else { 1.0 };
+    let Some(motion) = basis.motions.get(motion) else {
+        return Vec::new();
+    };
+    let of = |(body, unit_of): &(usize, Option<usize>)| {
+        let t = twist_of(motion, *unit_of);
+        let name = &system.bodies.get(*body)?.name;
+        (t.amax() > STILL * motion.amax()).then(|| body_motion(name, model, &(t * unit)))
+    };
+    model.members.iter().filter_map(of).collect()
 }
 
 fn body_motion(body: &str, model: &Model, t: &nalgebra::Vector6<f64>) -> BodyMotion {
@@ -144,7 +156,7 @@ fn body_motion(body: &str, model: &Model, t: &nalgebra::Vector6<f64>) -> BodyMot
     }
 }
 
-fn words(bodies: &[BodyMotion], idle: bool) -> String {
+pub(super) fn words(bodies: &[BodyMotion], idle: bool) -> String {
     let mut groups: Vec<(&BodyMotion, Vec<&str>)> = Vec::new();
     for b in bodies {
         let same = |g: &BodyMotion| {

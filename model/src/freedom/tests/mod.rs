@@ -4,7 +4,9 @@ mod gears;
 mod invariance;
 mod linkages;
 mod mates;
+mod merging;
 mod parts;
+mod timing;
 
 use super::{Axis, Body, Freedom, Hold, Lasting, Link, System, analyse};
 use crate::frame::{Frame, Placement};
