@@ -22,6 +22,7 @@ pub mod probe;
 pub mod protocol;
 pub mod query;
 pub mod replay;
+pub mod revolution;
 pub mod shape;
 pub mod step;
 pub mod worker;

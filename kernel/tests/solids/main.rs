@@ -20,3 +20,4 @@ mod pairs;
 mod primitives;
 #[cfg(test)]
 mod profiles;
+mod revolution;

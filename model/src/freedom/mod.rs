@@ -26,6 +26,7 @@
 //! method. A true motion stays where it went up to the square of the step.
 
 mod blocks;
+mod drive;
 mod finite;
 mod from_mate;
 mod island;
@@ -44,6 +45,7 @@ use serde::{Deserialize, Serialize};
 use crate::frame::Placement;
 use crate::mates::Twist;
 
+pub use drive::{Drive, DriveKind, NoDrive, Pose, Stuck};
 pub use from_mate::{link_of, spin_axis};
 pub use island::IslandFacts;
 pub use joints::JointMotion;

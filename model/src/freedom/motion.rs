@@ -16,8 +16,34 @@ pub(super) struct Basis {
     pub(super) motions: Vec<DVector<f64>>,
     /// How many of them, the first ones, are idle spins.
     pub(super) idle: usize,
-    /// Whether a motion's driver is a travel.
-    pub(super) travels: Vec<bool>,
+    /// Of each motion the coordinate that is 1 in it and 0 in all others.
+    pub(super) drivers: Vec<Driver>,
+}
+
+/// A coordinate that stands for a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Driver {
+    /// The spin of a unit about its own axis.
+    Spin(usize),
+    /// The rate of a tie, by its index, along one of its free twists.
+    Joint(usize, usize),
+    /// A component of a unit's twist.
+    Entry(usize),
+}
+
+impl Driver {
+    /// Whether it is a travel.
+    pub(super) fn travels(self, model: &Model) -> bool {
+        match self {
+            Self::Spin(_) => false,
+            Self::Joint(tie, k) => {
+                let tie = model.ties.get(tie);
+                let twist = tie.and_then(|t| t.scaled.free().get(k));
+                twist.is_some_and(|t| angular(t).norm() == 0.0)
+            }
+            Self::Entry(row) => row % 6 >= 3,
+        }
+    }
 }
 
 /// A driver's rate below this share of the fastest coordinate leads to another choice of driver.
@@ -33,16 +59,16 @@ pub(super) fn basis(model: &Model, matrix: &DMatrix<f64>, free: &DMatrix<f64>) -
     let mut out = Basis {
         motions: idle(model, matrix),
         idle: 0,
-        travels: Vec::new(),
+        drivers: Vec::new(),
     };
     out.idle = out.motions.len();
-    out.travels = vec![false; out.idle];
     for k in 0..out.idle {
         let Some(mut v) = out.motions.get(k).cloned() else {
             break;
         };
         let pivot = v.iamax();
         v /= entry(&v, pivot);
+        out.drivers.push(Driver::Spin(pivot / 6));
         let others = out.motions.iter_mut().enumerate().filter(|(i, _)| *i != k);
         for other in others.map(|(_, o)| o).chain(&mut left) {
             let by = entry(other, pivot);
@@ -78,7 +104,7 @@ pub(super) fn basis(model: &Model, matrix: &DMatrix<f64>, free: &DMatrix<f64>) -
                     *other -= &v * by;
                     *other_rates -= &rates * by;
                 }
-                out.travels.push(travel(model, row));
+                out.drivers.push(driver(model, row));
                 chosen.push((rates, v));
             }
             row += 1;
@@ -108,17 +134,17 @@ fn idle(model: &Model, matrix: &DMatrix<f64>) -> Vec<DVector<f64>> {
     free.column_iter().map(|c| c.into_owned()).collect()
 }
 
-/// The ties by their farther body as found from the ground, then by name.
-fn order(model: &Model) -> Vec<&Tie> {
-    let mut order: Vec<&Tie> = model.ties.iter().collect();
-    order.sort_by_key(|t| t.far);
+/// The ties and their indices, by their farther body as found from the ground, then by name.
+fn order(model: &Model) -> Vec<(usize, &Tie)> {
+    let mut order: Vec<(usize, &Tie)> = model.ties.iter().enumerate().collect();
+    order.sort_by_key(|(_, t)| t.far);
     order
 }
 
 /// The coordinates of a motion, in the order in which they are chosen as drivers.
 fn coordinates(model: &Model, motion: &DVector<f64>) -> DVector<f64> {
     let mut out = Vec::new();
-    for tie in order(model) {
+    for (_, tie) in order(model) {
         let relative = twist_of(motion, tie.incoming) - twist_of(motion, tie.base);
         out.extend(tie.scaled.rates(&relative));
     }
@@ -130,14 +156,14 @@ fn entry(v: &DVector<f64>, i: usize) -> f64 {
     v.get(i).copied().unwrap_or(f64::NAN)
 }
 
-/// Whether a coordinate is a travel.
-fn travel(model: &Model, mut row: usize) -> bool {
-    for tie in order(model) {
-        let free = tie.scaled.free();
-        match free.get(row) {
-            Some(t) => return angular(t).norm() == 0.0,
-            None => row -= free.len(),
+/// What a coordinate is, by its place among them.
+fn driver(model: &Model, mut row: usize) -> Driver {
+    for (index, tie) in order(model) {
+        let free = tie.scaled.free().len();
+        if row < free {
+            return Driver::Joint(index, row);
         }
+        row -= free;
     }
-    row % 6 >= 3
+    Driver::Entry(row)
 }

@@ -1,5 +1,6 @@
 //! Free motions in words.
 
+use nalgebra::DVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -81,9 +82,9 @@ pub(super) fn named(
             bodies: Vec::new(),
         });
     }
-    for i in 0..basis.motions.len() {
+    for (i, (motion, driver)) in basis.motions.iter().zip(&basis.drivers).enumerate() {
         let idle = i < basis.idle;
-        let bodies = body_motions(model, system, basis, i);
+        let bodies = body_motions(model, system, motion, driver.travels(model));
         out.push(Motion {
             name: words(&bodies, idle),
             count: 1,
@@ -95,22 +96,18 @@ pub(super) fn named(
     out
 }
 
-/// What the bodies do in a motion of a basis.
+/// What the bodies do in a motion whose driver moves by a radian or, where it travels, by a millimetre.
 pub(super) fn body_motions(
     model: &Model,
     system: &System,
-    basis: &Basis,
-    motion: usize,
+    motion: &DVector<f64>,
+    travels: bool,
 ) -> Vec<BodyMotion> {
-    let travels = basis.travels.get(motion) == Some(&true);
-    let unit = if travels { 1.0 / model.length } else { 1.0 };
-    let Some(motion) = basis.motions.get(motion) else {
-        return Vec::new();
-    };
-    let of = |(body, unit_of): &(usize, Option<usize>)| {
-        let t = twist_of(motion, *unit_of);
+    let scale = if travels { 1.0 / model.length } else { 1.0 };
+    let of = |(body, unit): &(usize, Option<usize>)| {
+        let t = twist_of(motion, *unit);
         let name = &system.bodies.get(*body)?.name;
-        (t.amax() > STILL * motion.amax()).then(|| body_motion(name, model, &(t * unit)))
+        (t.amax() > STILL * motion.amax()).then(|| body_motion(name, model, &(t * scale)))
     };
     model.members.iter().filter_map(of).collect()
 }

@@ -1,5 +1,6 @@
 //! Freedom against what is known otherwise.
 
+mod drive;
 mod gears;
 mod invariance;
 mod linkages;
