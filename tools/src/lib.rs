@@ -24,6 +24,7 @@ pub mod prompts;
 mod realize;
 mod remove;
 mod schema;
+mod sweep;
 mod synthesize_factory;
 mod validate_draft;
 mod verify;
@@ -139,6 +140,7 @@ pub fn all() -> Vec<Offer> {
         Offer::of::<new_assembly::NewAssembly>(),
         Offer::of::<realize::Realize>(),
         Offer::of::<remove::Remove>(),
+        Offer::of::<sweep::SweepMotion>(),
         Offer::of::<synthesize_factory::SynthesizeFactory>(),
         Offer::of::<validate_draft::ValidateDraft>(),
         Offer::of::<verify::Verify>(),
