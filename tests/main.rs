@@ -14,6 +14,7 @@ mod geometry;
 mod harness;
 mod kit;
 mod mates;
+mod motion;
 mod persistence;
 mod ports;
 mod realize;

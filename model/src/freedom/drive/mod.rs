@@ -64,6 +64,8 @@ pub struct Drive {
     /// The other motions of the same links, which are held: in words.
     pub still: Vec<String>,
     model: Model,
+    /// For each unit the first one that it is locked to; none for what is locked to the ground.
+    groups: Vec<Option<usize>>,
     /// Motions that are held by their rates, since their joints cannot be locked alone.
     held: Vec<Held>,
     unit: usize,
@@ -131,9 +133,11 @@ impl Drive {
             DriveKind::Rotate => angular(&twist),
             DriveKind::Slide => linear(&twist),
         };
+        let groups = groups(&own);
         let unit_of = |b: usize| {
             let (_, unit) = model.members.iter().find(|(m, _)| *m == b)?;
-            blocks.carried(chosen.block, *unit)
+            let unit = blocks.carried(chosen.block, *unit)?;
+            groups.get(unit).copied().flatten()
         };
         let others = (0..lifted.len()).filter(|k| *k != chosen.motion);
         Some(Self {
@@ -148,6 +152,7 @@ impl Drive {
             point: (Vector3::from(body.at) - model.middle) / model.length,
             unit: chosen.unit,
             carried: (0..system.bodies.len()).map(unit_of).collect(),
+            groups,
             model: own,
             held,
         })
@@ -191,10 +196,13 @@ impl Drive {
     #[must_use]
     pub fn hinge(&self, a: usize, b: usize) -> Option<Axis> {
         let (a, b) = (self.carried(a), self.carried(b));
+        let group = |unit: Option<usize>| self.groups.get(unit?).copied().flatten();
         let joined = |x: Option<usize>, y: Option<usize>| {
-            let ties = self.model.ties.iter();
-            ties.filter(move |t| (t.base, t.incoming) == (x, y) || (t.base, t.incoming) == (y, x))
-                .filter_map(|t| t.scaled.hinge())
+            let ties = self.model.ties.iter().filter(move |t| {
+                let ends = (group(t.base), group(t.incoming));
+                ends == (x, y) || ends == (y, x)
+            });
+            ties.filter_map(|t| t.scaled.hinge())
         };
         let others = || (0..self.model.units).map(Some).chain([None]);
         let over = |c: Option<usize>| {
@@ -206,6 +214,21 @@ impl Drive {
             direction: direction.into(),
         })
     }
+}
+
+/// For each unit the first one of those that locked joints make one with it; none where that is the ground.
+fn groups(model: &Model) -> Vec<Option<usize>> {
+    let mut out: Vec<Option<usize>> = (0..model.units).map(Some).collect();
+    let of = |out: &[Option<usize>], unit: Option<usize>| out.get(unit?).copied().flatten();
+    for tie in model.ties.iter().filter(|t| t.scaled.rows() == 6) {
+        let (a, b) = (of(&out, tie.base), of(&out, tie.incoming));
+        // The ground comes before all units.
+        let (keep, gone) = (a.min(b), a.max(b));
+        out.iter_mut()
+            .filter(|g| **g == gone)
+            .for_each(|g| *g = keep);
+    }
+    out
 }
 
 /// Whether two lines, each a point and a unit direction, are one, up to the rounding of placements.
