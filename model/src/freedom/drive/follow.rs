@@ -12,7 +12,7 @@ use crate::freedom::rigid::Rigid;
 
 /// The longest step at once, in radians or shares of the characteristic length. Ours: curves of a mechanism bend
 /// little within it.
-const LONGEST: f64 = 0.03;
+const LONGEST: f64 = 0.06;
 /// Shorter steps are not tried: the drive has come to its limit.
 const SHORTEST: f64 = 1e-9;
 /// How far a step may stray from its tangent, as a share of the step.
@@ -62,7 +62,10 @@ impl Drive {
     /// One step; a limit where it does not come to an end near its tangent.
     fn step(&self, from: &Pose, size: f64) -> Result<Pose, Stuck> {
         let here = self.rebased(&from.at);
-        let (along, _) = self.tangent(&here)?;
+        let along = match &from.along {
+            Some(known) => known.clone(),
+            None => self.tangent(&here)?.0,
+        };
         let next = self.corrected(&here, from, &along, size)?;
         let weaker = from.strength.min(next.strength);
         if weaker < WEAK * next.strongest {
@@ -107,7 +110,11 @@ impl Drive {
             if let Some(last) = open.get_mut(rows) {
                 *last = off;
             }
-            let back = solve(&all, &open).ok_or(Stuck::Unclear)?;
+            // Square and quick while steps are long; near an end of travel by singular values.
+            let quick = (size.abs() > LONGEST / 64.0)
+                .then(|| by_squares(&all, &open))
+                .flatten();
+            let back = quick.or_else(|| solve(&all, &open)).ok_or(Stuck::Unclear)?;
             for (u, r) in units().zip(&mut by) {
                 *r = Rigid::exp(&-twist_of(&back, Some(u))).after(r);
             }
@@ -124,10 +131,11 @@ impl Drive {
             return Err(Stuck::Limit);
         }
         let at: Vec<Rigid> = by.iter().zip(&from.at).map(|(b, a)| b.after(a)).collect();
-        let (_, strength) = self.tangent(&self.rebased(&at))?;
+        let (along, strength) = self.tangent(&self.rebased(&at))?;
         Ok(Pose {
             value: from.value,
             at,
+            along: Some(along),
             strength,
             strongest: from.strongest.max(strength),
         })
@@ -200,6 +208,7 @@ impl Drive {
         let start = Pose {
             value: 0.0,
             at: still.clone(),
+            along: None,
             strength: 0.0,
             strongest: 0.0,
         };
@@ -246,6 +255,13 @@ impl Drive {
         }
         row
     }
+}
+
+/// The correction by the normal equations, whose solution is one since the rows leave nothing free; none where
+/// they are singular.
+fn by_squares(matrix: &DMatrix<f64>, residual: &DVector<f64>) -> Option<DVector<f64>> {
+    let turned = matrix.transpose();
+    Some((&turned * matrix).cholesky()?.solve(&(turned * residual)))
 }
 
 /// The rate that is held, as a row on the units' twists.

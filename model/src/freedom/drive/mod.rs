@@ -9,7 +9,7 @@
 mod choose;
 mod follow;
 
-use nalgebra::Vector3;
+use nalgebra::{DVector, Vector3};
 
 use self::choose::{Choice, Held, choose, locked, movable};
 use super::blocks::{Block, Blocks};
@@ -81,6 +81,9 @@ pub struct Pose {
     /// The driven coordinate from the start, in radians or mm.
     pub value: f64,
     at: Vec<Rigid>,
+    /// The motion here, at a rate of 1; none where it was not asked for yet.
+    along: Option<DVector<f64>>,
+    /// How clearly there is one motion only: the constraints' smallest singular value.
     strength: f64,
     strongest: f64,
 }
@@ -170,11 +173,15 @@ impl Drive {
         let mut start = Pose {
             value: 0.0,
             at: vec![Rigid::IDENTITY; self.model.units],
+            along: None,
             strength: 0.0,
             strongest: 0.0,
         };
-        let strength = self.tangent(&self.model).map_or(0.0, |(_, s)| s);
-        (start.strength, start.strongest) = (strength, strength);
+        // Where there is no one motion the first step says so.
+        if let Ok((along, strength)) = self.tangent(&self.model) {
+            start.along = Some(along);
+            (start.strength, start.strongest) = (strength, strength);
+        }
         start
     }
 
