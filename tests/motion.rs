@@ -266,6 +266,17 @@ fn a_slider_that_its_crank_pushes_hits_a_wall() {
             .starts_with("blocked")
     );
     assert_eq!(pushed["direction"], json!([1.0, 0.0, 0.0]));
+    // A range beyond it is not reached, and that is no sample.
+    let beyond = sweep(
+        &mut kit,
+        "slider",
+        json!({"from_mm": way + 1.0, "to_mm": way + 2.0}),
+    );
+    assert_eq!(
+        (&beyond["verdict"], &beyond["pairs"]["sampled"]),
+        (&json!("fail"), &json!(0)),
+        "{beyond}"
+    );
 }
 
 /// Shaft and bearings are round about their axis: nothing is left to samples.

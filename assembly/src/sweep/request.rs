@@ -105,7 +105,10 @@ impl Request {
                 }
             }
         };
-        let names = FIELDS[usize::from(kind == DriveKind::Slide)];
+        let names = match kind {
+            DriveKind::Rotate => FIELDS[0],
+            DriveKind::Slide => FIELDS[1],
+        };
         if range.from == range.to {
             return Err(vec![wrong(
                 names[1],

@@ -40,6 +40,8 @@ pub(super) struct Walk<'a> {
 #[derive(Default)]
 struct Found {
     asked: usize,
+    /// Whether the range was entered at all.
+    looked: bool,
     proven: Vec<Proven>,
     open: Vec<Open>,
     collision: Option<Collision>,
@@ -82,6 +84,7 @@ impl Walk<'_> {
                 found.stopped = Some((at.value, Verdict::Indeterminate, why));
                 break;
             }
+            found.looked = true;
             let looked = self.look(&at, &pairs, &mut found).await;
             let hits: Vec<Looked> = looked.into_iter().filter(hit).collect();
             if !hits.is_empty() {
@@ -310,9 +313,12 @@ impl Walk<'_> {
             DriveKind::Rotate => "deg",
             DriveKind::Slide => "mm",
         };
-        let sampled = moving
-            .saturating_sub(found.proven.len())
-            .saturating_sub(found.open.len());
+        let told = found.proven.len() + found.open.len();
+        let sampled = if found.looked {
+            moving.saturating_sub(told)
+        } else {
+            0
+        };
         let mut result = match (&found.collision, stopped) {
             (Some(c), _) => format!(
                 "'{}' and '{}' collide at {} {unit}",
@@ -332,6 +338,14 @@ impl Walk<'_> {
             result.push_str(&format!(
                 "; {sampled} of {moving} pairs only sampled every {step} {unit}"
             ));
+        }
+        if !found.looked {
+            result.push_str("; the range was not reached, and nothing was compared");
+        }
+        let parts = 0..self.resolved.parts.len();
+        let without = parts.filter(|i| self.placed.of(*i).is_none()).count();
+        if without > 0 {
+            result.push_str(&format!("; {without} parts without a place were left out"));
         }
         if !found.open.is_empty() {
             result.push_str(&format!("; {} pairs could not be told", found.open.len()));
