@@ -15,6 +15,7 @@ mod harness;
 mod kit;
 mod mates;
 mod measure;
+mod motion;
 mod overlaps;
 mod persistence;
 mod pictures;

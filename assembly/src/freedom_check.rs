@@ -52,7 +52,10 @@ const HOW: &str =
     "rank of the mates' constraints at the placed pose, finite steps where some are redundant";
 
 /// Bodies and links of an assembly; else the mates that do not hold, and why nothing can be told.
-fn system(resolved: &Resolved, placed: &Placed) -> Result<System, (Vec<String>, Diagnostic)> {
+pub(crate) fn system(
+    resolved: &Resolved,
+    placed: &Placed,
+) -> Result<System, (Vec<String>, Diagnostic)> {
     let placed = with_islands(resolved, placed).map_err(|d| (Vec::new(), d))?;
     let open: Vec<String> = resolved
         .mates

@@ -21,7 +21,7 @@ const SAMPLES: u32 = 1000;
 
 /// How much the boxes of solids are widened before they count as apart, in mm. Wider than any
 /// tolerance that the kernel leaves on a valid solid.
-const BOX_MARGIN_MM: f64 = 1e-3;
+pub(crate) const BOX_MARGIN_MM: f64 = 1e-3;
 
 impl Workshop {
     pub(crate) async fn check_pairs(
@@ -136,7 +136,7 @@ impl Workshop {
         facts
     }
 
-    async fn common_volume(
+    pub(crate) async fn common_volume(
         &self,
         a: PlacedSolid,
         b: PlacedSolid,
@@ -157,16 +157,16 @@ impl Workshop {
 }
 
 /// What is known of a pair after its common volume was asked for.
-struct Judged {
-    verdict: Verdict,
+pub(crate) struct Judged {
+    pub(crate) verdict: Verdict,
     class: Overlapping,
-    volume: Option<f64>,
-    finding: Option<Finding>,
+    pub(crate) volume: Option<f64>,
+    pub(crate) finding: Option<Finding>,
 }
 
 /// What two parts may have in common by their mates.
 #[derive(Debug, Default)]
-struct Allowed {
+pub(crate) struct Allowed {
     mates: Vec<String>,
     least_mm3: f64,
     most_mm3: f64,
@@ -181,7 +181,7 @@ pub(crate) fn limit_mm3(allowed: f64, tau: f64) -> f64 {
     allowed * (1.0 + SHARE) + tau
 }
 
-fn judge(
+pub(crate) fn judge(
     a: &str,
     b: &str,
     result: Result<CommonVolume, Diagnostic>,
@@ -302,7 +302,7 @@ fn agrees(v: &CommonVolume, estimate: f64, tau: f64) -> bool {
 }
 
 /// What the mates between two parts allow, taken together.
-fn allowed(resolved: &Resolved, i: usize, j: usize) -> Allowed {
+pub(crate) fn allowed(resolved: &Resolved, i: usize, j: usize) -> Allowed {
     let mut out = Allowed::default();
     for m in &resolved.mates {
         if (m.base, m.incoming) != (i, j) && (m.base, m.incoming) != (j, i) {

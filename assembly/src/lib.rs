@@ -27,6 +27,7 @@ pub mod resolve;
 mod rounds;
 pub mod state;
 pub mod store;
+pub mod sweep;
 pub mod synthesis;
 pub mod verify;
 

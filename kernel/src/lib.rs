@@ -23,6 +23,7 @@ pub mod probe;
 pub mod protocol;
 pub mod query;
 pub mod replay;
+pub mod revolution;
 pub mod section;
 pub mod shape;
 pub mod step;

@@ -68,6 +68,13 @@ pub enum Job {
         /// The surface, in the world.
         place: Where,
     },
+    /// Whether a solid is one of revolution about each of some axes.
+    Revolution {
+        /// How to make it.
+        recipe: Recipe,
+        /// The axes in the part's frame: a point in mm and a unit direction.
+        axes: Vec<([f64; 3], [f64; 3])>,
+    },
     /// A STEP file of an assembly, read back after writing.
     Step {
         /// The distinct solids.
@@ -111,6 +118,7 @@ impl Job {
             Self::CommonVolume { .. } => "common volume",
             Self::Probe { .. } => "probes of ports",
             Self::Contact { .. } => "contact",
+            Self::Revolution { .. } => "surfaces of revolution",
             Self::Step { .. } => "STEP export",
             Self::Tessellate { .. } => "triangles",
             Self::Measure { .. } => "measurement",
@@ -153,6 +161,8 @@ pub enum Reply {
     Probed(Vec<Answer>),
     /// Of [`Job::Contact`].
     Contact(Touch),
+    /// Of [`Job::Revolution`]: an answer for each axis, in order.
+    Revolution(Vec<bool>),
     /// Of [`Job::Step`]; the file is the message's block.
     Step(StepFacts),
     /// Of [`Job::Tessellate`]: whether there is anything to draw; the mesh is the message's block.

@@ -141,6 +141,8 @@ pub enum Code {
     Unconnected,
     /// More or fewer motions are free than the specification intends.
     MobilityDiffers,
+    /// A part that should move and cannot.
+    PartHeld,
     /// A check could not be carried out.
     Indeterminate,
     /// The assembly has no parts.

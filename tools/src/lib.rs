@@ -26,6 +26,7 @@ mod realize;
 mod remove;
 mod render;
 mod schema;
+mod sweep;
 mod synthesize_factory;
 mod validate_draft;
 mod verify;
@@ -169,6 +170,7 @@ pub fn all() -> Vec<Offer> {
         Offer::of::<realize::Realize>(),
         Offer::of::<remove::Remove>(),
         Offer::of::<render::Render>(),
+        Offer::of::<sweep::SweepMotion>(),
         Offer::of::<synthesize_factory::SynthesizeFactory>(),
         Offer::of::<validate_draft::ValidateDraft>(),
         Offer::of::<verify::Verify>(),

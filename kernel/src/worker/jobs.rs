@@ -19,7 +19,7 @@ use crate::protocol::{
 };
 use crate::replay::Part;
 use crate::shape::Shape;
-use crate::{contact, pair, replay, step};
+use crate::{contact, pair, replay, revolution, step};
 
 /// What stands in a STEP header where it asks for persons.
 const UNSTATED: &str = "not stated";
@@ -84,6 +84,15 @@ impl Bench {
                 let (at_a, at_b) = (Placement::from(a.placement), Placement::from(b.placement));
                 let touch = contact::touch(&solid_a.shape, &at_a, &solid_b.shape, &at_b, place)?;
                 Ok((Reply::Contact(touch), Vec::new()))
+            }
+            Job::Revolution { recipe, axes } => {
+                let (hash, solid, _) = self.solid(recipe, tell)?;
+                tell(doing("surfaces of revolution", Some(hash)));
+                let faces = solid.shape.faces()?;
+                let found = axes
+                    .iter()
+                    .map(|(p, d)| revolution::is_about(&faces, *p, *d));
+                Ok((Reply::Revolution(found.collect()), Vec::new()))
             }
             Job::Step {
                 solids,

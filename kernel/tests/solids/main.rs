@@ -20,3 +20,5 @@ mod pairs;
 mod primitives;
 #[cfg(test)]
 mod profiles;
+#[cfg(test)]
+mod revolution;

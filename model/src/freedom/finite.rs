@@ -3,14 +3,16 @@
 use nalgebra::{DMatrix, DVector, SVD};
 
 use super::Lasting;
-use super::island::{Model, twist_of};
 use super::linear::{MOST_STEPS, Rank, rank};
+use super::model::{Model, twist_of};
 use super::motion::Basis;
 use super::rigid::Rigid;
 
 /// The step, in radians or shares of the characteristic length. Ours: its square, by which a true motion
 /// bends, is far below it, and its cube far above rounding.
 const STEP: f64 = 1e-3;
+/// The steps along one motion.
+const SIZES: [f64; 3] = [STEP, -STEP, STEP / 4.0];
 /// A true motion strays from its tangent by less than this share of the step.
 const TRUE: f64 = 0.05;
 /// An instantaneous one by more than this.
@@ -32,14 +34,14 @@ struct Stepped {
     freedom: Option<usize>,
 }
 
-/// The dimension of the set of poses about this one, and which motions of the basis go on.
-pub(super) fn test(model: &Model, basis: &Basis) -> (Option<usize>, Vec<Lasting>) {
+/// The dimension of the set of poses about this one, by a basis of the motions; none where it cannot be told.
+pub(super) fn dimension(model: &Model, basis: &Basis) -> Option<usize> {
     let d = basis.motions.len();
     if d == basis.idle {
-        return (Some(d), vec![Lasting::True; d]);
+        return Some(d);
     }
-    if !model.links.iter().all(|(_, _, l)| l.is_group()) {
-        return (None, vec![Lasting::Indeterminate; d]);
+    if !known(model) {
+        return None;
     }
     let unit: Vec<DVector<f64>> = basis.motions.iter().map(DVector::normalize).collect();
     // A direction between all of them, in no simple ratio. Where as many motions are free beyond it, the
@@ -54,42 +56,51 @@ pub(super) fn test(model: &Model, basis: &Basis) -> (Option<usize>, Vec<Lasting>
         .as_ref()
         .is_some_and(|s| s.strayed < TRUE && s.freedom == Some(d))
     {
-        return (Some(d), vec![Lasting::True; d]);
+        return Some(d);
     }
     let mut steps = vec![first];
-    let mut each = vec![Lasting::True; basis.idle];
     for v in unit.iter().skip(basis.idle) {
-        let own = [
-            step(model, v, STEP),
-            step(model, v, -STEP),
-            step(model, v, STEP / 4.0),
-        ];
-        let all =
-            |what: &dyn Fn(&Stepped) -> bool| own.iter().all(|s| s.as_ref().is_some_and(what));
-        each.push(if all(&|s| s.strayed < TRUE) {
-            Lasting::True
-        } else if all(&|s| s.strayed > INSTANTANEOUS) {
-            Lasting::Instantaneous
-        } else {
-            Lasting::Indeterminate
-        });
-        steps.extend(own);
+        steps.extend(SIZES.map(|size| step(model, v, size)));
     }
     // Where a step led away from the start, the free motions there are those of a branch of the poses.
     let lost = |s: &Stepped| s.went > INSTANTANEOUS && s.freedom.is_none();
-    let open = steps.iter().any(|s| s.as_ref().is_none_or(lost));
+    if steps.iter().any(|s| s.as_ref().is_none_or(lost)) {
+        return None;
+    }
     let branches = steps.iter().flatten().filter(|s| s.went > INSTANTANEOUS);
-    let widest = branches
-        .filter_map(|s| s.freedom)
-        .max()
-        .unwrap_or(basis.idle);
-    ((!open).then_some(widest), each)
+    let widest = branches.filter_map(|s| s.freedom).max();
+    Some(widest.unwrap_or(basis.idle))
+}
+
+/// Whether a motion goes on; standing still does.
+pub(super) fn goes_on(model: &Model, motion: &DVector<f64>) -> Lasting {
+    if motion.amax() == 0.0 {
+        return Lasting::True;
+    }
+    if !known(model) {
+        return Lasting::Indeterminate;
+    }
+    let unit = motion.normalize();
+    let own = SIZES.map(|size| step(model, &unit, size));
+    let all = |what: &dyn Fn(&Stepped) -> bool| own.iter().all(|s| s.as_ref().is_some_and(what));
+    if all(&|s| s.strayed < TRUE) {
+        Lasting::True
+    } else if all(&|s| s.strayed > INSTANTANEOUS) {
+        Lasting::Instantaneous
+    } else {
+        Lasting::Indeterminate
+    }
+}
+
+/// Whether the links say what they allow away from the pose.
+fn known(model: &Model) -> bool {
+    model.ties.iter().all(|t| t.scaled.is_group())
 }
 
 /// A step along a motion, brought back onto the constraints; none where that does not come to an end.
 fn step(model: &Model, along: &DVector<f64>, size: f64) -> Option<Stepped> {
     let wanted = along * size;
-    let bodies = || 0..model.moving.len();
+    let bodies = || 0..model.units;
     let mut at: Vec<Rigid> = bodies()
         .map(|b| Rigid::exp(&twist_of(&wanted, Some(b))))
         .collect();
@@ -121,7 +132,7 @@ fn step(model: &Model, along: &DVector<f64>, size: f64) -> Option<Stepped> {
 }
 
 /// The smallest correction of all that lower the residual most.
-fn solve(matrix: &DMatrix<f64>, residual: &DVector<f64>) -> Option<DVector<f64>> {
+pub(super) fn solve(matrix: &DMatrix<f64>, residual: &DVector<f64>) -> Option<DVector<f64>> {
     let svd = SVD::try_new(matrix.clone(), true, true, f64::EPSILON, MOST_STEPS)?;
     let least = WEAK * svd.singular_values.max();
     svd.solve(residual, least).ok()

@@ -1,26 +1,26 @@
 //! Connected sets of bodies: each is analysed alone.
 
-use nalgebra::{DMatrix, Vector3, Vector6};
+use nalgebra::{DMatrix, DVector};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::blocks::{Block, Blocks};
 use super::joints::{self, JointMotion};
-use super::linear::{Rank, at as at_entry, null_space, rank, set};
-use super::link::Scaled;
+use super::linear::{Rank, null_space, rank};
+use super::model::Model;
 use super::motion;
 use super::redundant::{self, Redundant};
 use super::rigid::Rigid;
 use super::words::{self, Motion};
-use super::{System, finite};
+use super::{Lasting, System, finite};
 use crate::report::rounded;
 
 /// Bodies that links join, in the order of their names, and their links, likewise.
 #[derive(Debug)]
 pub(super) struct Island {
+    /// The first one stands still: the root, or in an island without it the first by name.
     pub(super) bodies: Vec<usize>,
     pub(super) links: Vec<usize>,
-    /// The body that stands still: the root, or in an island without it the first.
-    pub(super) ground: usize,
     pub(super) floating: bool,
 }
 
@@ -89,112 +89,22 @@ pub(super) fn split(system: &System) -> Vec<Island> {
             links: links.iter().copied().filter(held).collect(),
             // Breadth first from the ground, as they were found: near bodies come first.
             bodies,
-            ground: start,
             floating: system.root != Some(start),
         });
     }
     out
 }
 
-/// An island's links in its own units, and which unknowns belong to which body.
-#[derive(Debug)]
-pub(super) struct Model {
-    pub(super) links: Vec<(Option<usize>, Option<usize>, Scaled)>,
-    /// The bodies that can move, by their index in the system.
-    pub(super) moving: Vec<usize>,
-    pub(super) middle: Vector3<f64>,
-    pub(super) length: f64,
-}
-
-impl Model {
-    fn new(island: &Island, system: &System) -> Self {
-        let moving: Vec<usize> = island
-            .bodies
-            .iter()
-            .copied()
-            .filter(|b| *b != island.ground)
-            .collect();
-        let place = |b: usize| moving.iter().position(|m| *m == b);
-        let links = || island.links.iter().filter_map(|l| system.links.get(*l));
-        let joints: Vec<Vector3<f64>> = links().map(|l| l.frame.origin()).collect();
-        let middle = joints.iter().sum::<Vector3<f64>>() / (joints.len().max(1) as f64);
-        let bodies = island.bodies.iter().filter_map(|b| system.bodies.get(*b));
-        let bodies = bodies.map(|b| Vector3::from(b.at));
-        let spread = |far: f64, p: Vector3<f64>| far.max((p - middle).norm());
-        let length = joints.iter().copied().chain(bodies).fold(0.0, spread);
-        // One joint, and everything in it: any length will do.
-        let length = if length > 0.0 { length } else { 1.0 };
-        Self {
-            links: links()
-                .map(|l| {
-                    let scaled = Scaled::new(l, &middle, length);
-                    (place(l.base), place(l.incoming), scaled)
-                })
-                .collect(),
-            moving,
-            middle,
-            length,
-        }
-    }
-
-    pub(super) fn columns(&self) -> usize {
-        6 * self.moving.len()
-    }
-
-    pub(super) fn rows(&self) -> usize {
-        self.links.iter().map(|(_, _, l)| l.rows()).sum()
-    }
-
-    /// The constraint matrix after the bodies moved.
-    pub(super) fn jacobian(&self, at: &[Rigid]) -> DMatrix<f64> {
-        let mut out = DMatrix::zeros(self.rows(), self.columns());
-        let mut row = 0;
-        for (base, incoming, link) in &self.links {
-            for w in link.jacobian(&moved(at, *base), &moved(at, *incoming)) {
-                for (body, sign) in [(base, -1.0), (incoming, 1.0)] {
-                    for (i, entry) in w.iter().enumerate() {
-                        if let Some(b) = body {
-                            let was = at_entry(&out, row, 6 * b + i);
-                            set(&mut out, row, 6 * b + i, was + sign * entry);
-                        }
-                    }
-                }
-                row += 1;
-            }
-        }
-        out
-    }
-
-    /// How far each constraint is from holding after the bodies moved.
-    pub(super) fn residual(&self, at: &[Rigid]) -> nalgebra::DVector<f64> {
-        let all = self.links.iter().flat_map(|(base, incoming, link)| {
-            link.residual(&moved(at, *base), &moved(at, *incoming))
-        });
-        nalgebra::DVector::from_iterator(self.rows(), all)
-    }
-}
-
-fn moved(at: &[Rigid], body: Option<usize>) -> Rigid {
-    body.and_then(|b| at.get(b))
-        .copied()
-        .unwrap_or(Rigid::IDENTITY)
-}
-
-/// The twist of a body in a motion of all bodies; the ground has none.
-pub(super) fn twist_of(motion: &nalgebra::DVector<f64>, body: Option<usize>) -> Vector6<f64> {
-    body.map_or_else(Vector6::zeros, |b| {
-        motion.fixed_rows::<6>(6 * b).into_owned()
-    })
-}
-
 impl Island {
-    pub(super) fn analyse(&self, system: &System) -> Found {
-        let model = Model::new(self, system);
-        let here = vec![Rigid::IDENTITY; model.moving.len()];
-        let matrix = model.jacobian(&here);
-        let rank = rank(&matrix);
-        let clear = rank.filter(Rank::is_clear);
-        let inner = clear.map(|r| model.columns() - r.rank);
+    /// `merge`: see [`Model::new`].
+    pub(super) fn analyse(&self, system: &System, merge: bool) -> Found {
+        let model = Model::new(self, system, merge);
+        let blocks = Blocks::new(&model);
+        let solved: Option<Vec<Solved>> = blocks.blocks.iter().map(Solved::new).collect();
+        let clear = solved
+            .as_ref()
+            .filter(|s| s.iter().all(|b| b.rank.is_clear()));
+        let inner = clear.map(|s| s.iter().map(|b| b.free.ncols()).sum::<usize>());
         let mut names: Vec<String> = self
             .bodies
             .iter()
@@ -202,15 +112,16 @@ impl Island {
             .map(|b| b.name.clone())
             .collect();
         names.sort_unstable();
+        let glued = 6 * model.glue.len();
         let facts = IslandFacts {
             bodies: names,
             floating: self.floating,
             mobility: inner.map(|d| if self.floating { d + 6 } else { d }),
-            constraints: model.rows(),
-            rank: rank.map(Rank::reported),
+            constraints: model.rows() + glued,
+            rank: solved.as_ref().map(|s| together(s, glued).reported()),
             characteristic_length_mm: rounded(model.length),
         };
-        let Some(rank) = clear else {
+        let Some(solved) = clear else {
             return Found {
                 facts,
                 motions: Vec::new(),
@@ -219,22 +130,111 @@ impl Island {
                 lasting: None,
             };
         };
-        let redundant = redundant::find(self, system, &model, &matrix, rank.rank);
-        let free = null_space(&matrix, rank.rank);
-        let basis = motion::basis(&model, system, &matrix, &free);
+        let columns: Vec<DVector<f64>> = solved
+            .iter()
+            .enumerate()
+            .flat_map(|(k, s)| s.free.column_iter().map(move |c| (k, c.into_owned())))
+            .map(|(k, c)| blocks.lifted(k, &c))
+            .collect();
+        let free = columns_of(model.columns(), &columns);
+        let matrix = model.jacobian(&vec![Rigid::IDENTITY; model.units]);
+        let basis = motion::basis(&model, &matrix, &free);
         // Without redundant rows the poses are a smooth set as wide as its tangents.
-        let (lasting, each) = if matrix.nrows() == rank.rank {
-            (Some(basis.motions.len()), None)
-        } else {
-            let (lasting, each) = finite::test(&model, &basis);
-            (lasting, Some(each))
-        };
+        let mut lasting = Some(0);
+        let mut each = vec![Lasting::True; basis.motions.len()];
+        for (block, s) in blocks.blocks.iter().zip(solved) {
+            let d = s.free.ncols();
+            let wide = if s.matrix.nrows() == s.rank.rank {
+                Some(d)
+            } else {
+                let own = motion::basis(&block.model, &s.matrix, &s.free);
+                finite::dimension(&block.model, &own)
+            };
+            lasting = lasting.zip(wide).map(|(sum, more)| sum + more);
+            if wide != Some(d) {
+                for (motion, told) in basis.motions.iter().zip(&mut each).skip(basis.idle) {
+                    *told = told.and(finite::goes_on(&block.model, &block.share(motion)));
+                }
+            }
+        }
         Found {
-            motions: words::named(self, &model, system, &basis, each.as_deref()),
+            motions: words::named(self, &model, system, &basis, &each),
             facts,
-            redundant,
-            joints: joints::find(self, system, &model, &free),
+            redundant: redundant::find(self, system, &model, &stresses(&model, &blocks, solved)),
+            joints: joints::find(self, system, &model, &columns),
             lasting,
         }
     }
+}
+
+/// A block's rows, their rank, and what they leave free.
+struct Solved {
+    matrix: DMatrix<f64>,
+    rank: Rank,
+    free: DMatrix<f64>,
+}
+
+impl Solved {
+    /// None where the rank cannot be computed.
+    fn new(block: &Block) -> Option<Self> {
+        let matrix = block
+            .model
+            .jacobian(&vec![Rigid::IDENTITY; block.model.units]);
+        let rank = rank(&matrix)?;
+        Some(Self {
+            free: null_space(&matrix, rank.rank),
+            rank,
+            matrix,
+        })
+    }
+}
+
+/// The ranks of all blocks and of what glues units as one.
+fn together(solved: &[Solved], glued: usize) -> Rank {
+    let mut out = Rank {
+        rank: glued,
+        largest_zero: 0.0,
+        smallest_counted: 1.0,
+    };
+    for s in solved {
+        out.rank += s.rank.rank;
+        out.largest_zero = out.largest_zero.max(s.rank.largest_zero);
+        out.smallest_counted = out.smallest_counted.min(s.rank.smallest_counted);
+    }
+    out
+}
+
+/// The stresses without a load of all blocks, as weights on the rows of all ties.
+fn stresses(model: &Model, blocks: &Blocks, solved: &[Solved]) -> DMatrix<f64> {
+    let mut first = Vec::new();
+    let mut rows = 0;
+    for tie in &model.ties {
+        first.push(rows);
+        rows += tie.scaled.rows();
+    }
+    let mut columns = Vec::new();
+    for (block, s) in blocks.blocks.iter().zip(solved) {
+        for weights in null_space(&s.matrix.transpose(), s.rank.rank).column_iter() {
+            let mut column = DVector::zeros(rows);
+            let mut own = 0;
+            for (at, n) in block.ties.iter().filter_map(|t| {
+                let rows = model.ties.get(*t)?.scaled.rows();
+                Some((*first.get(*t)?, rows))
+            }) {
+                column.rows_mut(at, n).copy_from(&weights.rows(own, n));
+                own += n;
+            }
+            columns.push(column);
+        }
+    }
+    columns_of(rows, &columns)
+}
+
+/// Columns as a matrix, also where there are none.
+fn columns_of(rows: usize, columns: &[DVector<f64>]) -> DMatrix<f64> {
+    let mut out = DMatrix::zeros(rows, columns.len());
+    for (k, column) in columns.iter().enumerate() {
+        out.set_column(k, column);
+    }
+    out
 }

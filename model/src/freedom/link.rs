@@ -129,6 +129,59 @@ impl Scaled {
         }
     }
 
+    /// The same link from where its bodies have come to, which holds there as it did.
+    pub(super) fn rebased(&self, base: &Rigid, incoming: &Rigid) -> Self {
+        let hold = match &self.hold {
+            free @ ScaledHold::Free { .. } => free.clone(),
+            ScaledHold::Gears {
+                incoming: axis,
+                ratio,
+                slope,
+            } => ScaledHold::Gears {
+                incoming: incoming.point(axis),
+                ratio: *ratio,
+                slope: *slope,
+            },
+        };
+        Self {
+            frame: base.after(&self.frame),
+            hold,
+        }
+    }
+
+    /// The link with some of its free twists held too; none where the rest is no group of motions.
+    pub(super) fn locked(&self, twists: &[usize]) -> Option<Self> {
+        let left = self.free().iter().enumerate();
+        let free: Vec<_> = left
+            .filter(|(k, _)| !twists.contains(k))
+            .map(|(_, t)| *t)
+            .collect();
+        let locked = Self {
+            frame: self.frame,
+            hold: ScaledHold::Free {
+                held: complement(&free),
+                free,
+            },
+        };
+        locked.is_group().then_some(locked)
+    }
+
+    /// The axis of a link that leaves one rotation free and nothing else: a point and a direction.
+    pub(super) fn hinge(&self) -> Option<(Vector3<f64>, Vector3<f64>)> {
+        let [t] = self.free() else {
+            return None;
+        };
+        let (turn, slide) = (angular(t), linear(t));
+        let rotates = turn.norm() > 0.0 && turn.dot(&slide).abs() <= 1e-12;
+        rotates.then(|| {
+            let near = turn.cross(&slide) / turn.norm_squared();
+            (
+                self.frame.point(&near),
+                self.frame.rotation * turn.normalize(),
+            )
+        })
+    }
+
     /// The free twists.
     pub(super) fn free(&self) -> &[Vector6<f64>] {
         match &self.hold {

@@ -15,6 +15,9 @@
 //! island's joints. A pair of gears is one row: at the pitch point their teeth have one speed along the common
 //! tangent, whatever carries their axes.
 //!
+//! Rigidly joined bodies are one unit of unknowns, and an island falls into blocks that have no loop in common:
+//! each is solved alone.
+//!
 //! # Finite steps
 //!
 //! Where no row is redundant the constraints are independent and the motions finite (implicit functions).
@@ -22,12 +25,15 @@
 //! in one at a time. A small step is made along the motion and brought back onto the constraints by Newton's
 //! method. A true motion stays where it went up to the square of the step.
 
+mod blocks;
+mod drive;
 mod finite;
 mod from_mate;
 mod island;
 mod joints;
 mod linear;
 mod link;
+mod model;
 mod motion;
 mod redundant;
 mod rigid;
@@ -39,6 +45,7 @@ use serde::{Deserialize, Serialize};
 use crate::frame::Placement;
 use crate::mates::Twist;
 
+pub use drive::{Drive, DriveKind, NoDrive, Pose, Stuck};
 pub use from_mate::{link_of, spin_axis};
 pub use island::IslandFacts;
 pub use joints::JointMotion;
@@ -122,6 +129,17 @@ pub enum Lasting {
     Indeterminate,
 }
 
+impl Lasting {
+    /// Of a motion that is two motions at once.
+    fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Instantaneous, _) | (_, Self::Instantaneous) => Self::Instantaneous,
+            (Self::Indeterminate, _) | (_, Self::Indeterminate) => Self::Indeterminate,
+            (Self::True, Self::True) => Self::True,
+        }
+    }
+}
+
 /// What is free and what is held twice.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Freedom {
@@ -144,6 +162,11 @@ pub struct Freedom {
 /// Which motions the links of a system leave. The result does not depend on the order of bodies and links.
 #[must_use]
 pub fn analyse(system: &System) -> Freedom {
+    analyse_as(system, true)
+}
+
+/// `merge`: whether rigidly joined bodies are taken as one, which only saves time.
+fn analyse_as(system: &System, merge: bool) -> Freedom {
     let islands = island::split(system);
     let mut out = Freedom {
         mobility: Some(0),
@@ -156,7 +179,7 @@ pub fn analyse(system: &System) -> Freedom {
     };
     let plus = |sum: Option<usize>, more: Option<usize>| Some(sum? + more?);
     for island in &islands {
-        let found = island.analyse(system);
+        let found = island.analyse(system, merge);
         let floating = if found.facts.floating { 6 } else { 0 };
         out.mobility = plus(out.mobility, found.facts.mobility);
         out.lasting_mobility = plus(out.lasting_mobility, found.lasting.map(|d| d + floating));

@@ -9,8 +9,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::System;
-use super::island::{Island, Model};
-use super::linear::{null_space, rank};
+use super::island::Island;
+use super::linear::rank;
+use super::model::Model;
+use super::rigid::Rigid;
 
 /// A loop of links, or loops that share some, with more constraints than independent ones.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -32,22 +34,25 @@ pub(super) fn find(
     island: &Island,
     system: &System,
     model: &Model,
-    matrix: &DMatrix<f64>,
-    of_rank: usize,
+    stresses: &DMatrix<f64>,
 ) -> Vec<Redundant> {
-    let stresses = null_space(&matrix.transpose(), of_rank);
     let name = |l: &usize| system.links.get(*l).map_or("", |l| l.name.as_str());
     // For each link: its name, which stresses it takes part in, whether it can be left out.
     let mut links = Vec::new();
+    let mut parts: Vec<(usize, DMatrix<f64>)> = in_glue(system, model, stresses);
     let mut row = 0;
-    for (index, (_, _, link)) in island.links.iter().zip(&model.links) {
-        let rows = link.rows();
-        let part = stresses.rows(row, rows).into_owned();
+    for tie in &model.ties {
+        let rows = tie.scaled.rows();
+        parts.push((tie.link, stresses.rows(row, rows).into_owned()));
         row += rows;
+    }
+    parts.sort_by_key(|(link, _)| island.links.iter().position(|l| l == link));
+    for (index, part) in &parts {
+        let rows = part.nrows();
         let taken: Vec<usize> = (0..part.ncols())
             .filter(|c| part.column(*c).amax() > NO_WEIGHT * stresses.column(*c).amax())
             .collect();
-        let repeated = rank(&part).map_or(0, |r| r.rank);
+        let repeated = rank(part).map_or(0, |r| r.rank);
         let spare = rows > 0 && repeated == rows;
         links.push((name(index), taken, spare, repeated));
     }
@@ -88,5 +93,62 @@ pub(super) fn find(
         });
     }
     out.sort_by(|a, b| a.mates.cmp(&b.mates));
+    out
+}
+
+/// The wrenches that the links inside units carry in each stress: what they have to so that each body is in
+/// balance. They make trees, so that balance alone tells it, from the leaves inward.
+fn in_glue(system: &System, model: &Model, stresses: &DMatrix<f64>) -> Vec<(usize, DMatrix<f64>)> {
+    let none = || DMatrix::<f64>::zeros(6, stresses.ncols());
+    // What the ties do on each body.
+    let mut load: Vec<DMatrix<f64>> = system.bodies.iter().map(|_| none()).collect();
+    let mut row = 0;
+    for tie in &model.ties {
+        let Some(link) = system.links.get(tie.link) else {
+            continue;
+        };
+        let still = Rigid::IDENTITY;
+        for w in tie.scaled.jacobian(&still, &still) {
+            let on = w * stresses.row(row);
+            if let Some(l) = load.get_mut(link.incoming) {
+                *l += &on;
+            }
+            if let Some(l) = load.get_mut(link.base) {
+                *l -= &on;
+            }
+            row += 1;
+        }
+    }
+    let ends = |l: &usize| system.links.get(*l).map(|l| [l.base, l.incoming]);
+    let mut left = model.glue.clone();
+    let mut out = Vec::new();
+    while !left.is_empty() {
+        let mut uses = vec![0usize; system.bodies.len()];
+        for body in left.iter().filter_map(ends).flatten() {
+            if let Some(n) = uses.get_mut(body) {
+                *n += 1;
+            }
+        }
+        // The ground takes any load, and is never the leaf.
+        let leaf = |l: &usize| {
+            let mut two = ends(l)?.into_iter();
+            two.find(|b| uses.get(*b) == Some(&1) && model.members.iter().any(|(m, _)| m == b))
+        };
+        let found = left
+            .iter()
+            .enumerate()
+            .find_map(|(i, l)| Some((i, *l, leaf(l)?, ends(l)?)));
+        let Some((i, link, leaf, ends)) = found else {
+            break;
+        };
+        left.remove(i);
+        let on = load.get(leaf).cloned().unwrap_or_else(none);
+        for other in ends.into_iter().filter(|b| *b != leaf) {
+            if let Some(l) = load.get_mut(other) {
+                *l += &on;
+            }
+        }
+        out.push((link, on));
+    }
     out
 }

@@ -1,9 +1,11 @@
 //! Free motions in words.
 
+use nalgebra::DVector;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::island::{Island, Model, twist_of};
+use super::island::Island;
+use super::model::{Model, twist_of};
 use super::motion::{Basis, STILL};
 use super::rigid::{angular, linear};
 use super::{Lasting, System};
@@ -60,7 +62,7 @@ pub(super) fn named(
     model: &Model,
     system: &System,
     basis: &Basis,
-    lasting: Option<&[Lasting]>,
+    lasting: &[Lasting],
 ) -> Vec<Motion> {
     let name = |b: &usize| system.bodies.get(*b).map_or("", |b| b.name.as_str());
     let mut out = Vec::new();
@@ -80,27 +82,34 @@ pub(super) fn named(
             bodies: Vec::new(),
         });
     }
-    for (i, (motion, travels)) in basis.motions.iter().zip(&basis.travels).enumerate() {
-        let unit = if *travels { 1.0 / model.length } else { 1.0 };
+    for (i, (motion, driver)) in basis.motions.iter().zip(&basis.drivers).enumerate() {
         let idle = i < basis.idle;
-        let moving = model.moving.iter().enumerate();
-        let bodies: Vec<BodyMotion> = moving
-            .filter_map(|(k, b)| {
-                let t = twist_of(motion, Some(k));
-                (t.amax() > STILL * motion.amax()).then(|| body_motion(name(b), model, &(t * unit)))
-            })
-            .collect();
+        let bodies = body_motions(model, system, motion, driver.travels(model));
         out.push(Motion {
             name: words(&bodies, idle),
             count: 1,
             idle,
-            lasting: lasting.map_or(Lasting::True, |l| {
-                l.get(i).copied().unwrap_or(Lasting::Indeterminate)
-            }),
+            lasting: lasting.get(i).copied().unwrap_or(Lasting::Indeterminate),
             bodies,
         });
     }
     out
+}
+
+/// What the bodies do in a motion whose driver moves by a radian or, where it travels, by a millimetre.
+pub(super) fn body_motions(
+    model: &Model,
+    system: &System,
+    motion: &DVector<f64>,
+    travels: bool,
+) -> Vec<BodyMotion> {
+    let scale = if travels { 1.0 / model.length } else { 1.0 };
+    let of = |(body, unit): &(usize, Option<usize>)| {
+        let t = twist_of(motion, *unit);
+        let name = &system.bodies.get(*body)?.name;
+        (t.amax() > STILL * motion.amax()).then(|| body_motion(name, model, &(t * scale)))
+    };
+    model.members.iter().filter_map(of).collect()
 }
 
 fn body_motion(body: &str, model: &Model, t: &nalgebra::Vector6<f64>) -> BodyMotion {
@@ -144,7 +153,7 @@ fn body_motion(body: &str, model: &Model, t: &nalgebra::Vector6<f64>) -> BodyMot
     }
 }
 
-fn words(bodies: &[BodyMotion], idle: bool) -> String {
+pub(super) fn words(bodies: &[BodyMotion], idle: bool) -> String {
     let mut groups: Vec<(&BodyMotion, Vec<&str>)> = Vec::new();
     for b in bodies {
         let same = |g: &BodyMotion| {

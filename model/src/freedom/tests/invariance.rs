@@ -9,7 +9,7 @@ use crate::freedom::{Freedom, Hold, System, analyse};
 use crate::mates::Twist;
 
 /// Mechanisms of all kinds.
-fn samples() -> Vec<System> {
+pub(super) fn samples() -> Vec<System> {
     let gears = Maker::new(&["h", "s", "c", "p"])
         .turn(0, 1, [0.0; 3], Z)
         .turn(0, 2, [0.0; 3], Z)

@@ -1,10 +1,13 @@
 //! Freedom against what is known otherwise.
 
+mod drive;
 mod gears;
 mod invariance;
 mod linkages;
 mod mates;
+mod merging;
 mod parts;
+mod timing;
 
 use super::{Axis, Body, Freedom, Hold, Lasting, Link, System, analyse};
 use crate::frame::{Frame, Placement};
