@@ -23,7 +23,7 @@ fn part(kit: &mut Kit, name: &str, list: &[[f64; 6]], at: &[(f64, f64, f64, u32)
     kit.part(
         "m",
         name,
-        "test.boxes",
+        "test.ways",
         json!({"boxes": boxes(list), "ports": ports(at)}),
     );
 }
