@@ -236,12 +236,10 @@ fn a_slow_call_tells_signs_of_life_where_they_are_asked_for() {
             }),
         )
         .unwrap();
-    for n in 1..=2 {
-        let sign = kit.session.message(Duration::from_secs(20)).unwrap();
-        assert_eq!(sign["method"], "notifications/progress", "{sign}");
-        assert_eq!(sign["params"]["progressToken"], "mine");
-        assert_eq!(sign["params"]["progress"].as_f64(), Some(f64::from(n)));
-    }
+    let sign = kit.session.message(Duration::from_secs(20)).unwrap();
+    assert_eq!(sign["method"], "notifications/progress", "{sign}");
+    assert_eq!(sign["params"]["progressToken"], "mine");
+    assert_eq!(sign["params"]["progress"].as_f64(), Some(1.0));
     let cancel = json!({
         "jsonrpc": "2.0", "method": "notifications/cancelled", "params": {"requestId": slow},
     });
