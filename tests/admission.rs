@@ -386,47 +386,27 @@ fn a_factory_that_works_in_a_part_of_its_ranges_is_admitted_for_it_where_that_is
 #[test]
 fn everything_that_is_wrong_with_a_request_is_told_at_once() {
     let mut kit = Kit::new();
-    let found = kit.refused(
-        "synthesize_factory",
-        json!({
-            "name": "user.../../etc",
-            "description": "  ",
-            "expected_ports": [
-                {"name": "a b", "type": "BORE", "params": {"radius": 4, "depth": true}},
-                {"name": "c", "type": "BORE"}, {"name": "c", "type": "HOLE"},
-            ],
-            "params": [
-                {"name": "Width", "default": 1, "min": 0, "max": 2},
-                {"name": "n", "kind": "integer", "default": 2.5, "min": 1, "max": 4},
-                {"name": "d", "default": 9, "min": 1, "max": 4},
-                {"name": "e", "default": 9},
-                {"name": "w", "kind": "choice", "default": "x", "choices": ["y"]},
-                {"name": "w", "kind": "flag", "default": 1},
-            ],
-        }),
-    );
-    // The schema has found the one that is of no type at all; the rest is found by meaning.
-    let places: Vec<&str> = found.iter().map(|d| d["where"].as_str().unwrap()).collect();
-    assert_eq!(places, ["expected_ports.0.params.depth"]);
-    let found = kit.refused(
-        "synthesize_factory",
-        json!({
-            "name": "user.../../etc",
-            "description": "  ",
-            "expected_ports": [
-                {"name": "a b", "type": "BORE", "params": {"radius": 4}},
-                {"name": "c", "type": "BORE"}, {"name": "c", "type": "HOLE"},
-            ],
-            "params": [
-                {"name": "Width", "default": 1, "min": 0, "max": 2},
-                {"name": "n", "kind": "integer", "default": 2.5, "min": 1, "max": 4},
-                {"name": "d", "default": 9, "min": 1, "max": 4},
-                {"name": "e", "default": 9},
-                {"name": "w", "kind": "choice", "default": "x", "choices": ["y"]},
-                {"name": "w", "kind": "flag", "default": 1},
-            ],
-        }),
-    );
+    let mut wrong = json!({
+        "name": "user.../../etc",
+        "description": "  ",
+        "expected_ports": [
+            {"name": "a b", "type": "BORE", "params": {"radius": 4, "depth": true}},
+            {"name": "c", "type": "BORE"}, {"name": "c", "type": "HOLE"},
+        ],
+        "params": [
+            {"name": "Width", "default": 1, "min": 0, "max": 2},
+            {"name": "n", "kind": "integer", "default": 2.5, "min": 1, "max": 4},
+            {"name": "d", "default": 9, "min": 1, "max": 4},
+            {"name": "e", "default": 9},
+            {"name": "w", "kind": "choice", "default": "x", "choices": ["y"]},
+            {"name": "w", "kind": "flag", "default": 1},
+        ],
+    });
+    // The schema finds the one that is of no type at all; the rest is found by meaning.
+    let d = kit.refusal("synthesize_factory", wrong.clone());
+    assert_eq!(d["where"], "expected_ports.0.params.depth");
+    wrong["expected_ports"][0]["params"] = json!({"radius": 4});
+    let found = kit.refused("synthesize_factory", wrong);
     let places: Vec<&str> = found.iter().map(|d| d["where"].as_str().unwrap()).collect();
     assert_eq!(
         places,

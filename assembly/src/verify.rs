@@ -51,7 +51,7 @@ const NO_CLEARANCE: &str =
 
 /// What this version does not check.
 const NOT_CHECKED: [&str; 2] = [
-    "motion: collisions away from the pose in which the assembly was built",
+    "motion: collisions away from the pose in which the assembly was built (sweep drives one motion)",
     "strength: loads, stresses and life of parts and joints",
 ];
 
