@@ -80,6 +80,25 @@ impl ParamSpec {
         }
     }
 
+    /// Smallest and largest value, where the values are numbers.
+    #[must_use]
+    pub fn range(&self) -> Option<[f64; 2]> {
+        match &self.kind {
+            ParamKind::Number { min, max, .. } => Some([*min, *max]),
+            ParamKind::Integer { min, max, .. } => Some([*min as f64, *max as f64]),
+            _ => None,
+        }
+    }
+
+    /// Gives numbers another range; what has none stays as it is. Of whole numbers, the parts before the point.
+    pub fn set_range(&mut self, [low, high]: [f64; 2]) {
+        match &mut self.kind {
+            ParamKind::Number { min, max, .. } => (*min, *max) = (low, high),
+            ParamKind::Integer { min, max, .. } => (*min, *max) = (low as i64, high as i64),
+            _ => {}
+        }
+    }
+
     /// What is accepted, in plain words.
     #[must_use]
     pub fn expected(&self) -> String {

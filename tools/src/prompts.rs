@@ -193,10 +193,7 @@ fn ports_of(all: &[ports::Port]) -> String {
 }
 
 fn port_types() -> String {
-    let line = |kind: &&ports::PortKind| {
-        let doc = kind.doc.split(". ").next().unwrap_or_default();
-        format!("- `{}`: {}", kind.name, doc.trim_end_matches('.'))
-    };
+    let line = |kind: &&ports::PortKind| format!("- `{}`: {}", kind.name, kind.summary());
     ports::ALL.iter().map(line).collect::<Vec<_>>().join("\n")
 }
 

@@ -160,26 +160,15 @@ struct Ends {
 
 impl Ends {
     fn of(spec: &ParamSpec) -> Option<Self> {
-        let (low, default, high) = match &spec.kind {
-            ParamKind::Number {
-                min, max, default, ..
-            } => (*min, *default, *max),
-            ParamKind::Integer { min, max, default } => (*min as f64, *default as f64, *max as f64),
-            _ => return None,
-        };
+        let [low, high] = spec.range()?;
+        let default = spec.default_value().as_f64()?;
         Some(Self { low, default, high })
     }
 
     fn put(&self, spec: &mut ParamSpec) {
-        let (low, high) = (
-            rounded_inwards(spec, self.low, self.default),
-            rounded_inwards(spec, self.high, self.default),
-        );
-        match &mut spec.kind {
-            ParamKind::Number { min, max, .. } => (*min, *max) = (low, high),
-            ParamKind::Integer { min, max, .. } => (*min, *max) = (low as i64, high as i64),
-            _ => {}
-        }
+        let inwards = |end| rounded_inwards(spec, end, self.default);
+        let range = [inwards(self.low), inwards(self.high)];
+        spec.set_range(range);
     }
 }
 
@@ -187,6 +176,6 @@ fn varies(spec: &ParamSpec) -> bool {
     match &spec.kind {
         ParamKind::Choice { choices, .. } => choices.len() > 1,
         ParamKind::Flag { .. } => true,
-        _ => Ends::of(spec).is_some_and(|e| e.high > e.low),
+        _ => spec.range().is_some_and(|[low, high]| high > low),
     }
 }

@@ -88,7 +88,7 @@ async fn expected(
                 .hint(format!(
                     "a {} port is {}; make that geometry, or ask for what the part has",
                     wanted.port_type,
-                    first_sentence(wanted.port_type.kind().doc)
+                    wanted.port_type.kind().summary()
                 ));
                 found.push(Finding::of_port(&wanted.name, d));
             }
@@ -117,7 +117,7 @@ fn absent(place: &str, wanted: &ExpectedPort, ports: &[Port]) -> Diagnostic {
         None => d.hint(format!(
             "declare a {} port of this name: {}",
             wanted.port_type,
-            first_sentence(wanted.port_type.kind().doc)
+            wanted.port_type.kind().summary()
         )),
     }
 }
@@ -213,8 +213,4 @@ fn one_place(a: &Frame, b: &Frame) -> bool {
     let near =
         |p: [f64; 3], q: [f64; 3], by: f64| p.iter().zip(q).all(|(x, y)| (x - y).abs() <= by);
     near(a.origin, b.origin, ONE_PLACE_MM) && near(a.z, b.z, 1e-6)
-}
-
-fn first_sentence(doc: &str) -> &str {
-    doc.split(". ").next().unwrap_or(doc).trim_end_matches('.')
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use assemcad_model::name;
-use assemcad_model::param::{ParamKind, ParamSpec};
+use assemcad_model::param::ParamSpec;
 use assemcad_script::Factory;
 use serde::{Deserialize, Serialize};
 
@@ -55,13 +55,8 @@ impl Record {
         }
         let mut specs = factory.params().to_vec();
         for spec in &mut specs {
-            let Some([low, high]) = self.ranges.get(&spec.name).copied() else {
-                continue;
-            };
-            match &mut spec.kind {
-                ParamKind::Number { min, max, .. } => (*min, *max) = (low, high),
-                ParamKind::Integer { min, max, .. } => (*min, *max) = (low as i64, high as i64),
-                _ => {}
+            if let Some(range) = self.ranges.get(&spec.name) {
+                spec.set_range(*range);
             }
         }
         factory.within(specs)
@@ -70,15 +65,10 @@ impl Record {
 
 /// The ranges in which narrowed parameters differ from the declared ones.
 pub(super) fn ranges(declared: &[ParamSpec], narrowed: &[ParamSpec]) -> BTreeMap<String, [f64; 2]> {
-    let range = |spec: &ParamSpec| match &spec.kind {
-        ParamKind::Number { min, max, .. } => Some([*min, *max]),
-        ParamKind::Integer { min, max, .. } => Some([*min as f64, *max as f64]),
-        _ => None,
-    };
     let pairs = declared.iter().zip(narrowed);
     pairs
-        .filter(|(a, b)| range(a) != range(b))
-        .filter_map(|(_, b)| Some((b.name.clone(), range(b)?)))
+        .filter(|(a, b)| a.range() != b.range())
+        .filter_map(|(_, b)| Some((b.name.clone(), b.range()?)))
         .collect()
 }
 

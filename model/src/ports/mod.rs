@@ -132,6 +132,15 @@ impl PortType {
     }
 }
 
+impl PortKind {
+    /// The first sentence of what it is.
+    #[must_use]
+    pub fn summary(&self) -> &'static str {
+        let first = self.doc.split(". ").next().unwrap_or_default();
+        first.trim_end_matches('.')
+    }
+}
+
 impl core::fmt::Display for PortType {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(self.kind().name)
