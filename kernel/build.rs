@@ -32,7 +32,7 @@ const LIBRARIES: [&str; 23] = [
     "TKernel",
 ];
 
-const SOURCES: [&str; 22] = [
+const SOURCES: [&str; 23] = [
     "along",
     "areas",
     "canonical",
@@ -48,6 +48,7 @@ const SOURCES: [&str; 22] = [
     "place",
     "primitives",
     "query",
+    "skin",
     "solids",
     "start",
     "step_read",

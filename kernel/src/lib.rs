@@ -26,6 +26,7 @@ pub mod replay;
 pub mod revolution;
 pub mod section;
 pub mod shape;
+pub mod skin;
 pub mod step;
 pub mod worker;
 pub mod workplane;

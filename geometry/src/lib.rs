@@ -1,0 +1,3 @@
+//! The one door to geometry.
+
+pub mod narrow;
