@@ -66,9 +66,7 @@ fn solid(name: &'static str, shape: Shape) -> Solid {
 
 /// All stand on z = 0, round about the z axis where they are round, 10 high unless they are balls.
 fn solids() -> Vec<Solid> {
-    let block = |x: f64, y: f64| {
-        Shape::cuboid(&at(-x / 2.0, -y / 2.0, 0.0), [x, y, 10.0]).unwrap()
-    };
+    let block = |x: f64, y: f64| Shape::cuboid(&at(-x / 2.0, -y / 2.0, 0.0), [x, y, 10.0]).unwrap();
     let hole = |radius: f64| rod(-1.0, radius, 12.0);
     let cone = |base: f64, top: f64| Shape::cone(&Frame::WORLD, base, top, 10.0).unwrap();
     let ball = |radius: f64| Shape::sphere(&at(0.0, 0.0, 5.0), radius).unwrap();
@@ -91,7 +89,10 @@ fn solids() -> Vec<Solid> {
         solid("plug", cone(5.0, 3.0)),
         solid("seat", cut(&rod(0.0, 8.0, 10.0), &cone(5.0, 3.0))),
         solid("ball", ball(5.0)),
-        solid("socket", cut(&cut(&block(30.0, 20.0), &ball(5.0)), &hole(2.0))),
+        solid(
+            "socket",
+            cut(&cut(&block(30.0, 20.0), &ball(5.0)), &hole(2.0)),
+        ),
         solid("ring", ring(6.0, 2.0)),
         solid("grooved pin", cut(&rod(0.0, 6.0, 10.0), &ring(6.0, 2.0))),
         solid("corner", cut(&block(20.0, 20.0), &quarter)),
@@ -151,7 +152,8 @@ fn nothing_in_common_is_never_said_of_solids_that_have() {
             assert!(
                 sampled.inside == 0 && exact.as_ref().map_or(true, |e| e.volume <= 1e-6),
                 "{} and {} at {at:?}: {exact:?}, {sampled:?}",
-                a.name, b.name
+                a.name,
+                b.name
             );
         } else if empty {
             *open.entry((a.name, b.name)).or_insert(0) += 1;

@@ -27,6 +27,8 @@ pub struct Boundary {
     /// The inner edges, as chains of points and how far the edge may be off the chain.
     inner: Vec<Chain>,
     shells: u32,
+    /// The two faces of each edge that has two.
+    sides: Vec<Option<[u32; 2]>>,
 }
 
 /// An inner edge.
@@ -69,6 +71,7 @@ impl Boundary {
         let bounds = tree.root_aabb();
         let bulges = skin.faces.iter().map(|f| bulge(&skin, f)).collect();
         let inner = skin.edges.iter().filter_map(inner).collect();
+        let sides = sides(&skin);
         let shells = skin.faces.iter().map(|f| f.shell + 1).max().unwrap_or(0);
         Some(Self {
             skin,
@@ -79,6 +82,7 @@ impl Boundary {
             bulges,
             inner,
             shells,
+            sides,
         })
     }
 
@@ -102,6 +106,24 @@ impl Boundary {
 
     pub(super) fn edge(&self, index: u32) -> Option<&SkinEdge> {
         self.skin.edges.get(index as usize)
+    }
+
+    /// The plane faces that a face meets in outer edges, each once.
+    pub(super) fn flat_neighbours(&self, face: u32) -> Vec<&SkinFace> {
+        let own = self.skin.faces.get(face as usize);
+        let edges = own.into_iter().flat_map(|f| &f.edges);
+        let mut found: Vec<u32> = edges
+            .filter(|e| self.edge(**e).is_some_and(|e| e.turn == Turn::Convex))
+            .filter_map(|e| *self.sides.get(*e as usize)?)
+            .map(|[one, two]| if one == face { two } else { one })
+            .collect();
+        found.sort_unstable();
+        found.dedup();
+        let faces = found.into_iter();
+        faces
+            .filter_map(|f| self.skin.faces.get(f as usize))
+            .filter(|f| matches!(f.surface, SkinSurface::Plane { .. }))
+            .collect()
     }
 
     pub(super) fn tree(&self) -> &Bvh {
@@ -182,6 +204,20 @@ fn bulge(skin: &Skin, face: &SkinFace) -> f64 {
         true => 0.0,
         false => face.off,
     }
+}
+
+/// The faces of the edges.
+fn sides(skin: &Skin) -> Vec<Option<[u32; 2]>> {
+    let mut found: Vec<Vec<u32>> = vec![Vec::new(); skin.edges.len()];
+    for (index, face) in (0_u32..).zip(&skin.faces) {
+        for edge in &face.edges {
+            if let Some(of) = found.get_mut(*edge as usize) {
+                of.push(index);
+            }
+        }
+    }
+    let two = |faces: Vec<u32>| <[u32; 2]>::try_from(faces).ok().filter(|[a, b]| a != b);
+    found.into_iter().map(two).collect()
 }
 
 /// The chain of an inner edge; none of another one.

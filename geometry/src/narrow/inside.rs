@@ -43,7 +43,9 @@ pub(super) fn contains(boundary: &Boundary, point: &V, margin: f64) -> Option<bo
 
 fn near(boundary: &Boundary, point: &V, gap: f64) -> bool {
     let around = super::boundary::aabb(&[*point]).loosened(gap);
-    let mut leaves = boundary.tree().leaves(|node| node.aabb().intersects(&around));
+    let mut leaves = boundary
+        .tree()
+        .leaves(|node| node.aabb().intersects(&around));
     leaves.any(|leaf| {
         boundary
             .triangle(leaf)

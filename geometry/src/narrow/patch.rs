@@ -3,6 +3,7 @@
 //! Each bound holds for every point of the piece: a lower bound is never too large, an upper bound never
 //! too small. Where no bound is known there is none, and the question goes to the kernel.
 
+use assemcad_kernel::facts::Turn;
 use assemcad_kernel::skin::{SkinCurve, SkinFace, SkinSurface};
 use assemcad_model::frame::Placement;
 use nalgebra::Vector3;
@@ -52,7 +53,7 @@ pub(super) struct Patch<'a> {
 }
 
 /// An edge of a face's border.
-enum Border {
+pub(super) enum Edge {
     Line(V, V),
     Circle {
         center: V,
@@ -89,31 +90,44 @@ impl<'a> Patch<'a> {
         !self.face.outward
     }
 
-    fn borders(&self) -> impl Iterator<Item = Border> {
+    pub(super) fn borders(&self) -> impl Iterator<Item = Edge> {
+        self.borders_and_turns().map(|(edge, _)| edge)
+    }
+
+    /// The edges of the border, and whether each is an outer one.
+    pub(super) fn borders_and_turns(&self) -> impl Iterator<Item = (Edge, bool)> {
         let edges = self.face.edges.iter().map(|e| self.boundary.edge(*e));
         edges.map(|edge| {
             let Some(edge) = edge else {
-                return Border::Unknown;
+                return (Edge::Unknown, false);
             };
+            let outer = edge.turn == Turn::Convex;
             let point = |p: [f64; 3]| V::from(self.at.point(p));
-            match edge.curve {
-                SkinCurve::Line => Border::Line(point(edge.start), point(edge.end)),
-                SkinCurve::Point => Border::Line(point(edge.start), point(edge.start)),
+            let placed = match edge.curve {
+                SkinCurve::Line => Edge::Line(point(edge.start), point(edge.end)),
+                SkinCurve::Point => Edge::Line(point(edge.start), point(edge.start)),
                 SkinCurve::Circle {
                     center,
                     axis,
                     radius,
                     sweep,
-                } => Border::Circle {
+                } => Edge::Circle {
                     center: point(center),
                     axis: V::from(self.at.direction(axis)),
                     radius,
                     start: point(edge.start),
                     sweep,
                 },
-                SkinCurve::Other => Border::Unknown,
-            }
+                SkinCurve::Other => Edge::Unknown,
+            };
+            (placed, outer)
         })
+    }
+
+    /// The plane faces that the face of this index meets in outer edges.
+    pub(super) fn neighbours(&self, index: u32) -> impl Iterator<Item = Self> {
+        let faces = self.boundary.flat_neighbours(index).into_iter();
+        faces.map(|face| Self::face(self.boundary, self.at, face))
     }
 
     /// The smallest value of `direction . x` over the piece.
@@ -167,8 +181,8 @@ impl<'a> Patch<'a> {
         let mut least = f64::INFINITY;
         for border in self.borders() {
             least = least.min(match border {
-                Border::Line(a, b) => a.dot(direction).min(b.dot(direction)),
-                Border::Circle {
+                Edge::Line(a, b) => a.dot(direction).min(b.dot(direction)),
+                Edge::Circle {
                     center,
                     axis,
                     radius,
@@ -178,7 +192,7 @@ impl<'a> Patch<'a> {
                     let arc = Arc::swept(&center, &axis, &start, sweep)?;
                     center.dot(direction) + radius * arc.lowest(direction)
                 }
-                Border::Unknown => return None,
+                Edge::Unknown => return None,
             });
         }
         least.is_finite().then_some(least)
@@ -214,9 +228,9 @@ impl<'a> Patch<'a> {
                 let mut least = f64::INFINITY;
                 for border in self.borders() {
                     least = least.min(match border {
-                        Border::Line(a, b) => to_segment(&through, &a, &b),
-                        Border::Circle { center, radius, .. } => (away(&center) - radius).abs(),
-                        Border::Unknown => return None,
+                        Edge::Line(a, b) => to_segment(&through, &a, &b),
+                        Edge::Circle { center, radius, .. } => (away(&center) - radius).abs(),
+                        Edge::Unknown => return None,
                     });
                 }
                 least.is_finite().then_some(least)
@@ -245,8 +259,8 @@ impl<'a> Patch<'a> {
                 radius,
                 tube,
             } => {
-                let coaxial = axis.cross(along).norm() <= PARALLEL
-                    && away(&center) <= super::side::TOUCH_MM;
+                let coaxial =
+                    axis.cross(along).norm() <= PARALLEL && away(&center) <= super::side::TOUCH_MM;
                 coaxial.then_some(radius - tube)
             }
             Surface::Other => None,
@@ -265,8 +279,8 @@ impl<'a> Patch<'a> {
                 let mut most = 0.0_f64;
                 for border in self.borders() {
                     most = most.max(match border {
-                        Border::Line(a, b) => away(&a).max(away(&b)),
-                        Border::Circle {
+                        Edge::Line(a, b) => away(&a).max(away(&b)),
+                        Edge::Circle {
                             center,
                             axis,
                             radius,
@@ -280,7 +294,7 @@ impl<'a> Patch<'a> {
                                 away(&center) + radius
                             }
                         }
-                        Border::Unknown => return None,
+                        Edge::Unknown => return None,
                     });
                 }
                 Some(most)
@@ -354,7 +368,7 @@ impl<'a> Patch<'a> {
         }
         let mut all: Option<Arc> = None;
         for border in self.borders() {
-            let Border::Circle {
+            let Edge::Circle {
                 center,
                 axis: own,
                 start,
@@ -378,7 +392,7 @@ impl<'a> Patch<'a> {
         }
         let straight = self
             .borders()
-            .all(|b| matches!(b, Border::Line(..) | Border::Circle { .. }));
+            .all(|b| matches!(b, Edge::Line(..) | Edge::Circle { .. }));
         match all {
             Some(arc) if straight => Some(arc),
             _ => Some(Arc::whole(axis)),

@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use assemcad_model::frame::Placement;
 use parry3d_f64::bounding_volume::{Aabb, BoundingVolume};
 
+use super::beside::beside;
 use super::boundary::{Boundary, Chain, aabb};
+use super::edgewise::between;
 use super::inside::contains;
 use super::patch::{Patch, Surface, V};
 use super::side::outside;
@@ -51,7 +53,13 @@ fn decide(a: &Boundary, b: &Boundary, at: &Placement) -> Option<Common> {
             let pair = faces.entry((index_a, index_b)).or_insert_with(|| {
                 let (on_a, on_b) = (Patch::face(a, whole, face_a), Patch::face(b, at, face_b));
                 let parted = outside(&on_a, &on_b) || outside(&on_b, &on_a);
-                Pair { on_a, on_b, parted }
+                Pair {
+                    on_a,
+                    on_b,
+                    indices: (index_a, index_b),
+                    parted,
+                    others: None,
+                }
             });
             let same_way = unit_normal(&tri_a).dot(&normal_b) > SAME_WAY;
             if pair.parted && !same_way {
@@ -60,7 +68,9 @@ fn decide(a: &Boundary, b: &Boundary, at: &Placement) -> Option<Common> {
             if apart(&tri_a, &tri_b, face_a.off + face_b.off) {
                 continue;
             }
-            if same_way || !pair.pieces_parted(&tri_a, &tri_b) {
+            let others = pair.others();
+            let parted = pair.parted || others.edgewise || pair.pieces_parted(&tri_a, &tri_b);
+            if !parted || (same_way && !others.beside) {
                 return None;
             }
         }
@@ -76,11 +86,36 @@ fn decide(a: &Boundary, b: &Boundary, at: &Placement) -> Option<Common> {
 struct Pair<'a> {
     on_a: Patch<'a>,
     on_b: Patch<'a>,
+    indices: (u32, u32),
     /// All of one is on the outer side of the other.
     parted: bool,
+    /// What else is known of them, once it was asked.
+    others: Option<Others>,
+}
+
+/// Ways in which two faces may be parted that take longer to see.
+#[derive(Debug, Clone, Copy)]
+struct Others {
+    /// They meet in the plane of a neighbour at most.
+    edgewise: bool,
+    /// They meet on the borders of both at most.
+    beside: bool,
 }
 
 impl Pair<'_> {
+    fn others(&mut self) -> Others {
+        let (a, b, (index_a, index_b)) = (&self.on_a, &self.on_b, self.indices);
+        *self.others.get_or_insert_with(|| {
+            let plane = between(a, index_a, b).or_else(|| between(b, index_b, a));
+            let on_borders =
+                |p: super::edgewise::Between| p.meets_border_of(a) && p.meets_border_of(b);
+            Others {
+                edgewise: plane.is_some(),
+                beside: plane.is_some_and(on_borders) || beside(a, b),
+            }
+        })
+    }
+
     /// Whether the pieces that belong to two of their triangles are parted.
     fn pieces_parted(&self, tri_a: &[V; 3], tri_b: &[V; 3]) -> bool {
         let cut = |patch: &Patch<'_>| {
@@ -88,8 +123,7 @@ impl Pair<'_> {
                 || matches!(patch.surface, Surface::Round { slope, .. } if slope == 0.0)
         };
         let (piece_a, piece_b) = (self.on_a.piece(*tri_a), self.on_b.piece(*tri_b));
-        self.parted
-            || (cut(&self.on_b) && outside(&self.on_a, &piece_b))
+        (cut(&self.on_b) && outside(&self.on_a, &piece_b))
             || (cut(&self.on_a) && outside(&self.on_b, &piece_a))
     }
 }
@@ -165,7 +199,9 @@ fn some_outside(of: &Boundary, other: &Boundary, at: &Placement) -> Option<bool>
     for shell in open {
         let told = (0..of.count()).find_map(|index| {
             let (own, point) = center(index)?;
-            (own == shell).then(|| contains(other, &point, of.off())).flatten()
+            (own == shell)
+                .then(|| contains(other, &point, of.off()))
+                .flatten()
         });
         if told? {
             return Some(false);

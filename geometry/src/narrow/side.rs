@@ -28,13 +28,23 @@ pub(super) fn outside(of: &Patch<'_>, piece: &Patch<'_>) -> bool {
             radius,
             slope,
             ..
-        } => beside_cone(&Cone { origin, axis, radius, slope }, of.hollow(), piece),
+        } => beside_cone(
+            &Cone {
+                origin,
+                axis,
+                radius,
+                slope,
+            },
+            of.hollow(),
+            piece,
+        ),
         Surface::Sphere { center, radius } => match of.hollow() {
             // Only balls are held against sockets: what else is in one is held against its own surface.
             true => match piece.surface {
-                Surface::Sphere { center: own, radius: r } => {
-                    (own - center).norm() + r <= radius + TOUCH_MM
-                }
+                Surface::Sphere {
+                    center: own,
+                    radius: r,
+                } => (own - center).norm() + r <= radius + TOUCH_MM,
                 _ => false,
             },
             false => above(piece.nearest_to_point(&center), radius),
@@ -77,7 +87,8 @@ fn beside_cone(cone: &Cone, hollow: bool, piece: &Patch<'_>) -> bool {
             if axis.cross(&cone.axis).norm() > PARALLEL || off > TOUCH_MM {
                 return false;
             }
-            let [a, b] = range.map(|z| over(polar(&(origin + axis * z)).0, (radius + slope * z).abs()));
+            let [a, b] =
+                range.map(|z| over(polar(&(origin + axis * z)).0, (radius + slope * z).abs()));
             (a.min(b), a.max(b))
         }
         Surface::Plane { origin, normal } => {

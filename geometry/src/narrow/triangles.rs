@@ -135,7 +135,8 @@ pub(super) fn met(from: &V, along: &V, [a, b, c]: &[V; 3]) -> Met {
     if det.abs() <= 1e-9 * size {
         // It runs along the plane: through it only where the plane is near.
         let normal = ab.cross(&ac);
-        let near = normal.norm() <= 1e-12 * size || arm.dot(&normal).abs() <= 1e-9 * size * arm.norm();
+        let near =
+            normal.norm() <= 1e-12 * size || arm.dot(&normal).abs() <= 1e-9 * size * arm.norm();
         return if near { Met::Unclear } else { Met::Not };
     }
     let u = arm.dot(&p) / det;
@@ -178,7 +179,9 @@ mod tests {
             all
         };
         let (one, two) = (points(a), points(b));
-        let pairs = one.iter().flat_map(|p| two.iter().map(move |q| (p - q).norm()));
+        let pairs = one
+            .iter()
+            .flat_map(|p| two.iter().map(move |q| (p - q).norm()));
         pairs.fold(f64::INFINITY, f64::min)
     }
 
@@ -210,7 +213,13 @@ mod tests {
 
     #[test]
     fn parallel_triangles_one_above_the_other_are_apart_by_their_height() {
-        let flat = |z: f64| [V::new(0.0, 0.0, z), V::new(4.0, 0.0, z), V::new(0.0, 4.0, z)];
+        let flat = |z: f64| {
+            [
+                V::new(0.0, 0.0, z),
+                V::new(4.0, 0.0, z),
+                V::new(0.0, 4.0, z),
+            ]
+        };
         assert!(apart(&flat(0.0), &flat(0.01), 0.0099));
         assert!(!apart(&flat(0.0), &flat(0.01), 0.0101));
     }
