@@ -16,6 +16,7 @@ mod ffi;
 pub mod limits;
 mod memory;
 pub mod mesh;
+pub mod named;
 pub mod pair;
 pub mod pool;
 pub mod primitives;

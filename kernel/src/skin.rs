@@ -175,6 +175,23 @@ impl Shape {
     }
 }
 
+impl Skin {
+    /// The skin as bytes.
+    ///
+    /// # Errors
+    /// When it cannot be encoded.
+    pub fn to_bytes(&self) -> Result<Vec<u8>> {
+        postcard::to_stdvec(self)
+            .map_err(|_| KernelError::internal("the skin could not be encoded"))
+    }
+
+    /// A skin from [`Skin::to_bytes`]; none where the bytes are no skin.
+    #[must_use]
+    pub fn from_bytes(bytes: &[u8]) -> Option<Self> {
+        postcard::from_bytes(bytes).ok()
+    }
+}
+
 /// The bound of a face, from what was measured.
 fn off(face: &bridge::SkinFaceRaw) -> Result<f64> {
     let off = WORST * face.off + NODES_MM;
