@@ -20,9 +20,12 @@ mod boundary;
 mod edgewise;
 mod inside;
 mod patch;
+mod region;
 mod relate;
 mod side;
+mod touch;
 mod triangles;
 
 pub use boundary::Boundary;
 pub use relate::{Common, common};
+pub use touch::touch;

@@ -4,7 +4,9 @@ use assemcad_kernel::contact::{Touch, Where};
 use assemcad_kernel::protocol::{Failure, Job, Placed, Reply};
 use assemcad_model::frame::Placement;
 
+use super::skin::Skin;
 use crate::door::{Asker, Key, Question, nonsense};
+use crate::narrow::touch;
 use crate::pair::Pair;
 use crate::pose::{rounded_direction, rounded_point};
 
@@ -54,6 +56,13 @@ impl Question for Contact {
 
     async fn answer(&self, door: &Asker<'_>) -> Result<Touch, Failure> {
         let (first, second, at) = self.pair.parts();
+        let (one, two) = (Skin(first), Skin(second));
+        if let (Ok(one), Ok(two)) = futures::join!(door.ask(&one), door.ask(&two)) {
+            let (at, place) = (*at, self.place);
+            if let Some(found) = door.work(move || touch(&one, &two, &at, &place)).await? {
+                return Ok(found);
+            }
+        }
         let job = Job::Contact {
             a: Box::new(Placed {
                 recipe: first.clone(),
