@@ -5,10 +5,9 @@ use assemcad_model::mates::MateType;
 use assemcad_model::param::clip;
 use assemcad_model::ports::{Port, PortType};
 use assemcad_model::spec::Mate;
+use assemcad_placing::{Resolved, ResolvedMate, ResolvedPart, place};
 
 use super::read::{Draft, Loose};
-use crate::place;
-use crate::resolve::{Resolved, ResolvedMate, ResolvedPart};
 
 /// Parts that no chain of mates joins to the root.
 pub(super) fn unreached(draft: &Draft, root: Option<usize>, found: &mut Vec<Diagnostic>) {
