@@ -3,7 +3,7 @@
 use assemcad_model::diagnostic::Diagnostic;
 use assemcad_model::report::{Report, StepFile};
 
-use crate::export::names_specification;
+use crate::step_header::names_specification;
 use crate::store::{file_of, json_bytes};
 use crate::{Workshop, page};
 

@@ -21,9 +21,6 @@ use crate::rounds::{self, Round};
 use crate::store::json_bytes;
 use crate::{Faults, Workshop};
 
-/// How many rounds a source has where the server's command line says nothing.
-pub const DEFAULT_ROUNDS: usize = 5;
-
 /// Where admitted factories are kept.
 const FOLDER: &str = "factories";
 
@@ -129,7 +126,7 @@ impl Workshop {
 
     fn gate(&self) -> Gate<'_> {
         Gate {
-            pool: &self.pool,
+            door: self.door.asker(),
             evaluator: &self.evaluator,
         }
     }

@@ -137,10 +137,10 @@ impl Asker<'_> {
     /// Why there is no file.
     pub async fn step(
         &self,
-        solids: Vec<Product>,
-        instances: Vec<Instance>,
         name: &str,
         description: Vec<String>,
+        solids: Vec<Product>,
+        instances: Vec<Instance>,
     ) -> Result<(StepFacts, Vec<u8>), Failure> {
         let job = Job::Step {
             solids,

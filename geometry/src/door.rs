@@ -134,12 +134,6 @@ impl Door {
         }
     }
 
-    /// The workers.
-    #[must_use]
-    pub fn pool(&self) -> &Pool {
-        &self.pool
-    }
-
     /// What was asked so far.
     #[must_use]
     pub fn counts(&self) -> Counts {
@@ -178,6 +172,12 @@ pub struct Asker<'a> {
 }
 
 impl Asker<'_> {
+    /// How many kernel processes there are.
+    #[must_use]
+    pub fn processes(&self) -> usize {
+        self.door.pool.size()
+    }
+
     /// The answer to a question: remembered, or found out once for all who ask at the same time. A failure is
     /// not remembered.
     ///

@@ -1,6 +1,6 @@
 //! Two solids in their places, as one question wherever they stand.
 
-use assemcad_kernel::protocol::Named;
+use assemcad_kernel::protocol::{Named, Placed};
 use assemcad_model::frame::Placement;
 
 use crate::door::Key;
@@ -13,6 +13,15 @@ pub struct PlacedSolid {
     pub solid: Named,
     /// Where it is.
     pub at: Placement,
+}
+
+impl From<PlacedSolid> for Placed {
+    fn from(of: PlacedSolid) -> Self {
+        Self {
+            recipe: of.solid,
+            placement: of.at.into(),
+        }
+    }
 }
 
 /// Two solids and where the second is in the frame of the first.

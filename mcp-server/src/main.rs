@@ -10,8 +10,7 @@ mod serve;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use assemcad_assembly::draft::DEFAULT_ROUNDS;
-use assemcad_assembly::{Workshop, synthesis};
+use assemcad_assembly::{DEFAULT_ROUNDS, Workshop};
 use assemcad_factories::Registry;
 use assemcad_kernel::pool::{Config, Limits, Pool};
 use assemcad_kernel::worker;
@@ -61,7 +60,7 @@ struct Serve {
     #[arg(long, default_value_t = DEFAULT_ROUNDS)]
     draft_rounds: usize,
     /// How many wrong sources a request for a factory has before its synthesis counts as failed.
-    #[arg(long, default_value_t = synthesis::DEFAULT_ROUNDS)]
+    #[arg(long, default_value_t = DEFAULT_ROUNDS)]
     synthesis_rounds: usize,
 }
 

@@ -5,10 +5,9 @@ use assemcad_model::mates::MateType;
 use assemcad_model::param::clip;
 use assemcad_model::ports::{Port, PortType};
 use assemcad_model::spec::Mate;
+use assemcad_placing::{Resolved, ResolvedMate, ResolvedPart, place};
 
 use super::read::{Draft, Loose};
-use crate::place;
-use crate::resolve::{Resolved, ResolvedMate, ResolvedPart};
 
 /// Parts that no chain of mates joins to the root.
 pub(super) fn unreached(draft: &Draft, root: Option<usize>, found: &mut Vec<Diagnostic>) {
@@ -84,7 +83,7 @@ pub(super) fn coincident(
             .take(j)
             .find_map(|(i, (_, first))| {
                 let (_, n) = by(i)?;
-                let same = first.made.recipe == second.made.recipe;
+                let same = first.made.solid == second.made.solid;
                 match (placed.of(i), placed.of(j)) {
                     (Some(a), Some(b)) if same && a == b => Some((first, true)),
                     _ => (faces_meet(n, m) && shared(n, i, m, j)).then_some((first, false)),

@@ -18,9 +18,6 @@ pub use read::{Draft, Loose};
 /// Where the rounds of drafts are counted.
 const ROUNDS: &str = ".assemcad/drafts";
 
-/// How many rounds a draft has where the server's command line says nothing.
-pub const DEFAULT_ROUNDS: usize = 5;
-
 /// What there is to say of a draft.
 #[derive(Debug)]
 pub struct Checked {

@@ -7,8 +7,8 @@
 
 use std::collections::BTreeMap;
 
-use assemcad_kernel::pool::Pool;
-use assemcad_kernel::protocol::{Built, Failure, FailureKind, Job, Reply};
+use assemcad_geometry::Asker;
+use assemcad_kernel::protocol::{Built, FailureKind, Named};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::param::ParamSpec;
 use assemcad_script::{Evaluated, Evaluator, Factory};
@@ -29,8 +29,8 @@ const LEAST_MADE: f64 = 0.25;
 /// What the gate works with.
 #[derive(Debug, Clone, Copy)]
 pub struct Gate<'a> {
-    /// The kernel's workers.
-    pub pool: &'a Pool,
+    /// Who answers for the solids.
+    pub door: Asker<'a>,
     /// Who evaluates sources.
     pub evaluator: &'a Evaluator,
 }
@@ -51,6 +51,8 @@ pub struct Admission {
 pub struct Made {
     /// Calls and lines.
     pub evaluated: Evaluated,
+    /// The solid of the recipe.
+    pub solid: Named,
     /// Measures and ports.
     pub built: Built,
 }
@@ -133,7 +135,7 @@ impl Gate<'_> {
         if sound {
             let each = all.map(|set| self.try_set(factory, request, set));
             // In their order, whichever is done first.
-            let more = stream::iter(each).buffered(2 * self.pool.size());
+            let more = stream::iter(each).buffered(2 * self.door.processes());
             tried.extend(more.collect::<Vec<Tried>>().await);
         }
         findings.extend(folded(factory.params(), &tried));
@@ -178,16 +180,15 @@ impl Gate<'_> {
             let of = |d| Finding::of(Layer::Execution, d);
             Outcome::Failed(faults.into_iter().map(of).collect())
         })?;
-        let job = Job::Build {
-            recipe: evaluated.recipe.clone(),
-        };
-        let failure = match self.pool.run(&job).await {
-            Ok((Reply::Built(built), _)) => return Ok(Made { evaluated, built }),
-            Ok(_) => Failure {
-                kind: FailureKind::Worker,
-                doing: None,
-                message: "the worker answered another question".to_owned(),
-            },
+        let solid = Named::new(evaluated.recipe.clone());
+        let failure = match self.door.build(&solid).await {
+            Ok(built) => {
+                return Ok(Made {
+                    evaluated,
+                    solid,
+                    built,
+                });
+            }
             Err(failure) => failure,
         };
         // What the kernel says is about the shape; a limit or a crash is about the running.

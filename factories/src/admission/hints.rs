@@ -1,6 +1,6 @@
 //! What would mend a fault, in plain words: found by asking the solid again with the usual slips undone.
 
-use assemcad_kernel::pool::Pool;
+use assemcad_geometry::Asker;
 use assemcad_kernel::protocol::Failure;
 use assemcad_model::diagnostic::Diagnostic;
 use assemcad_model::ports::{Port, PortType};
@@ -78,9 +78,9 @@ struct Slip {
 }
 
 /// What a port without evidence probably means.
-pub(super) async fn of_port(pool: &Pool, recipe: &Recipe, port: &Port, made: &Made) -> String {
+pub(super) async fn of_port(door: Asker<'_>, port: &Port, made: &Made) -> String {
     for slip in slips(port) {
-        let shown = match evidence::ask(pool, recipe, [&slip.port]).await {
+        let shown = match evidence::ask(door, &made.solid, [&slip.port]).await {
             Ok(asked) => asked
                 .iter()
                 .all(|(_, answers)| answers.iter().all(|(_, a)| a.held)),
@@ -99,6 +99,7 @@ pub(super) async fn of_port(pool: &Pool, recipe: &Recipe, port: &Port, made: &Ma
         .any(|(x, (low, high))| *x < low - 1e-6 || *x > high + 1e-6);
     let spans = format!("from {:?} to {:?}", min.map(rounded), max.map(rounded));
     if outside {
+        let recipe = &made.evaluated.recipe;
         let traps = backwards(recipe, usize::try_from(recipe.result).unwrap_or(0));
         let trap: String = traps
             .iter()

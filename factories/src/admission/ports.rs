@@ -33,12 +33,11 @@ pub(super) async fn examine(
     let whose = format!("factory {name}");
     let mut found = expected(gate, &whose, request, set, &made.built.ports).await;
     found.extend(coincident(&whose, &made.built.ports));
-    let recipe = &made.evaluated.recipe;
-    match evidence::ask(gate.pool, recipe, &made.built.ports).await {
+    match evidence::ask(gate.door, &made.solid, &made.built.ports).await {
         Ok(asked) => {
             for (port, answers) in asked {
                 if let Some((d, _)) = evidence::missing(port, &answers, &whose) {
-                    let hint = hints::of_port(gate.pool, recipe, port, made).await;
+                    let hint = hints::of_port(gate.door, port, made).await;
                     found.push(Finding::of_port(&port.name, d.hint(hint)));
                 }
             }

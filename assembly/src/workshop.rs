@@ -1,0 +1,57 @@
+//! What all operations work with.
+
+use std::path::Path;
+
+use assemcad_factories::Registry;
+use assemcad_geometry::{Door, Terms};
+use assemcad_kernel::pool::Pool;
+use assemcad_model::diagnostic::Diagnostic;
+use assemcad_script::Evaluator;
+
+use crate::remembered::Remembered;
+use crate::store::Store;
+
+/// How many rounds a draft, or a source of a factory, has where the server's command line says nothing.
+pub const DEFAULT_ROUNDS: usize = 5;
+
+/// What all operations work with: the factories, the kernel and the assemblies on disk.
+#[derive(Debug)]
+pub struct Workshop {
+    /// The factories.
+    pub registry: Registry,
+    /// The door to geometry.
+    pub door: Door,
+    /// Who evaluates the sources that are not ours.
+    pub evaluator: Evaluator,
+    /// The assemblies on disk.
+    pub store: Store,
+    /// What was made already.
+    pub(crate) remembered: Remembered,
+    /// How often a draft may be wrong before its decomposition counts as failed.
+    pub draft_rounds: usize,
+    /// How many sources a request for a factory may have before its synthesis counts as failed.
+    pub synthesis_rounds: usize,
+}
+
+impl Workshop {
+    /// A workshop over a root folder, which is made where it is missing.
+    ///
+    /// # Errors
+    /// When the folder cannot be made or opened.
+    pub fn open(
+        root: &Path,
+        registry: Registry,
+        pool: Pool,
+        evaluator: Evaluator,
+    ) -> Result<Self, Diagnostic> {
+        Ok(Self {
+            registry,
+            door: Door::new(pool, Terms::default()),
+            evaluator,
+            store: Store::open(root)?,
+            remembered: Remembered::default(),
+            draft_rounds: DEFAULT_ROUNDS,
+            synthesis_rounds: DEFAULT_ROUNDS,
+        })
+    }
+}

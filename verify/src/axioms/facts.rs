@@ -1,0 +1,172 @@
+//! What the checks of the axioms read, from a placed and measured assembly.
+
+use assemcad_axioms::facts::{
+    Contact, Facts, Geometry, JointMotion, MateFacts, Measured, Mobility, Overlap, PartFacts,
+    Redundant,
+};
+use assemcad_axioms::reasons::reasons;
+use assemcad_factories::Registry;
+use assemcad_model::freedom::Freedom;
+use assemcad_model::report::{self, Overlapping, Verdict};
+use assemcad_model::spec::Assembly;
+use assemcad_placing::linkage::freedom_of;
+use assemcad_placing::{Assembled, Placements, Resolved};
+use serde_json::{Map, Value};
+
+use crate::checks::interference::limit_mm3;
+
+/// What the other checks measured.
+pub(crate) struct Measurements<'a> {
+    pub(crate) parts: &'a [report::PartFacts],
+    pub(crate) mates: &'a [report::MateFacts],
+    pub(crate) pairs: &'a [report::PairFacts],
+    pub(crate) tau_mm3: f64,
+    /// Which motions the mates leave, where that could be told.
+    pub(crate) freedom: Option<&'a Freedom>,
+}
+
+/// The facts of an assembly. Materials are in no specification and stay unknown: the checks say what they
+/// take for granted.
+pub(super) fn facts(
+    registry: &Registry,
+    spec: &Assembly,
+    assembled: &Assembled<'_>,
+    measured: &Measurements<'_>,
+) -> Facts {
+    let (resolved, placements) = (assembled.resolved, assembled.placements);
+    let parts = resolved.parts.iter().enumerate().map(|(i, p)| PartFacts {
+        id: p.id.clone(),
+        factory: p.factory.clone(),
+        class: None,
+        params: params(registry, spec, &p.id, &p.factory),
+        ports: p.ports().to_vec(),
+        placement: placements.of(i),
+        material: None,
+        geometry: measured.parts.get(i).and_then(geometry),
+    });
+    let mates = resolved.mates.iter().map(|m| MateFacts {
+        id: m.mate.id.clone(),
+        mate_type: m.mate.mate_type,
+        base: m.mate.base.clone(),
+        incoming: m.mate.incoming.clone(),
+        options: m.mate.options.clone(),
+        axioms: m.mate.axioms.clone(),
+        has_notes: !m.mate.notes.trim().is_empty(),
+    });
+    let mut facts = Facts {
+        root: spec.root.clone(),
+        parts: parts.collect(),
+        mates: mates.collect(),
+        intended_mobility: spec.intended_mobility,
+        mobility: measured.freedom.and_then(mobility),
+        measured: Measured {
+            overlaps: Some(overlaps(measured)),
+            contacts: Some(contacts(measured)),
+            ..Measured::default()
+        },
+    };
+    let left = unexplained(&facts, resolved, placements);
+    if let Some(mobility) = &mut facts.mobility {
+        mobility.unexplained = left;
+    }
+    facts
+}
+
+/// What is still held twice when the mates are left out for which a pattern of joints gives the reason; none
+/// where there are no such mates, or nothing is held twice.
+fn unexplained(
+    facts: &Facts,
+    resolved: &Resolved,
+    placements: &Placements,
+) -> Option<Vec<Redundant>> {
+    let mobility = facts.mobility.as_ref()?;
+    let explained: Vec<&str> = reasons(facts).iter().map(|r| r.mate).collect();
+    if mobility.redundant.is_empty() || explained.is_empty() {
+        return None;
+    }
+    let mut rest = resolved.clone();
+    rest.mates
+        .retain(|m| !explained.contains(&m.mate.id.as_str()));
+    Some(redundant(&freedom_of(&rest, placements)?))
+}
+
+fn redundant(freedom: &Freedom) -> Vec<Redundant> {
+    let each = freedom.redundant.iter().flat_map(|loop_| {
+        let each = loop_.mates.iter().zip(&loop_.repeated);
+        each.map(|(mate, repeated)| Redundant {
+            mate: mate.clone(),
+            count: count(*repeated),
+        })
+    });
+    each.collect()
+}
+
+fn count(n: usize) -> u32 {
+    u32::try_from(n).unwrap_or(u32::MAX)
+}
+
+/// The motions of the machine, idle spins left out; none where their number could not be told.
+fn mobility(freedom: &Freedom) -> Option<Mobility> {
+    let joints = freedom.joints.iter().map(|j| JointMotion {
+        mate: j.mate.clone(),
+        turns: count(j.turns),
+        slides: count(j.slides),
+        screws: count(j.screws),
+    });
+    Some(Mobility {
+        freedom: count(freedom.lasting_mobility?.saturating_sub(freedom.idle_spins)),
+        redundant: redundant(freedom),
+        unexplained: None,
+        joints: joints.collect(),
+    })
+}
+
+/// The parameters of a part, with its factory's defaults filled in.
+fn params(registry: &Registry, spec: &Assembly, id: &str, factory: &str) -> Map<String, Value> {
+    let mut params = spec.part(id).map(|p| p.params.clone()).unwrap_or_default();
+    if let Ok(factory) = registry.get(factory) {
+        for p in factory.params() {
+            if !params.contains_key(&p.name) {
+                params.insert(p.name.clone(), p.default_value());
+            }
+        }
+    }
+    params
+}
+
+fn geometry(p: &report::PartFacts) -> Option<Geometry> {
+    Some(Geometry {
+        volume_mm3: p.volume_mm3?,
+        centre_mm: p.centre_mm?,
+        box_mm: p.box_mm?,
+    })
+}
+
+/// The volume that counts as meant is the one that the check of interference allows: what the mates mean
+/// and the threshold of the verification.
+fn overlaps(measured: &Measurements<'_>) -> Vec<Overlap> {
+    let overlap = |p: &report::PairFacts| Overlap {
+        a: p.a.clone(),
+        b: p.b.clone(),
+        common_mm3: match p.class {
+            Overlapping::Unknown => None,
+            _ => p.common_volume_mm3,
+        },
+        allowed_mm3: limit_mm3(p.allowed_mm3.unwrap_or_default(), measured.tau_mm3),
+    };
+    measured.pairs.iter().map(overlap).collect()
+}
+
+fn contacts(measured: &Measurements<'_>) -> Vec<Contact> {
+    let contact = |m: &report::MateFacts| {
+        Some(Contact {
+            mate: m.mate.clone(),
+            touches: match m.contact? {
+                Verdict::Pass => Some(true),
+                Verdict::Fail => Some(false),
+                Verdict::Indeterminate => None,
+            },
+        })
+    };
+    measured.mates.iter().filter_map(contact).collect()
+}

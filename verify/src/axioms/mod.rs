@@ -1,0 +1,14 @@
+//! The engineering axioms at work: what mates cite, what checks read, and what the checks say.
+
+mod check;
+pub mod cite;
+mod facts;
+mod measure;
+mod mend;
+mod rays;
+mod sight;
+mod trace;
+mod ways;
+
+pub(crate) use check::{not_checked, run};
+pub(crate) use facts::Measurements;

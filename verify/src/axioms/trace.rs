@@ -1,0 +1,89 @@
+//! From findings to axioms: those that a finding breaks, and those that the mates between its parts cite.
+
+use assemcad_axioms::knowledge::axiom;
+use assemcad_axioms::verdict::Verdict as Told;
+use assemcad_axioms::{Axiom, Status};
+use assemcad_model::diagnostic::Code;
+use assemcad_model::report::{AxiomRole, AxiomTrace, Finding, Verdict};
+use assemcad_model::spec::Assembly;
+
+use crate::results::Results;
+
+/// An axiom in a finding.
+pub(super) fn of(axiom: &Axiom, role: AxiomRole) -> AxiomTrace {
+    AxiomTrace {
+        axiom: axiom.id.clone(),
+        statement: axiom.statement.clone(),
+        role,
+    }
+}
+
+/// Notes an axiom in the findings that other checks have made of the same thing. Says whether there are any.
+pub(super) fn in_another(
+    axiom: &Axiom,
+    told: &Told,
+    role: AxiomRole,
+    results: &mut Results,
+) -> bool {
+    let mut found = false;
+    for finding in &mut results.findings {
+        if same(axiom, told, finding) {
+            found = true;
+            if finding.axioms.iter().all(|a| a.axiom != axiom.id) {
+                finding.axioms.push(of(axiom, role));
+            }
+        }
+    }
+    found
+}
+
+/// Whether a finding of another check says what an axiom's case says.
+fn same(axiom: &Axiom, told: &Told, finding: &Finding) -> bool {
+    let mate = || {
+        let own = &told.about.mates;
+        !own.is_empty() && own.iter().all(|m| finding.mates.contains(m))
+    };
+    let parts = || {
+        let own = &told.about.parts;
+        !own.is_empty() && own.iter().all(|p| finding.parts.contains(p))
+    };
+    let failed = told.status == Status::Fail && finding.verdict == Verdict::Fail;
+    let open = told.status == Status::Indeterminate && finding.verdict == Verdict::Indeterminate;
+    match (axiom.id.as_str(), finding.check.as_str()) {
+        ("F-01" | "N-01", "connectivity") => failed && parts(),
+        // Of a part without a place little can be told.
+        (_, "connectivity") => told.status == Status::Indeterminate && parts(),
+        ("F-04", "interference") => (failed || open) && parts(),
+        ("F-05", "contact") => (failed || open) && mate(),
+        ("C-01" | "C-02", "mates") if failed => mate(),
+        ("K-03", "freedom") => failed && finding.diagnostic.code == Code::MobilityDiffers,
+        // Without a place nothing can be told of a mate, whatever it is about.
+        (_, "mates") => open && mate(),
+        _ => false,
+    }
+}
+
+/// Notes in every finding the axioms that the mates between its parts cite.
+pub(super) fn cited(spec: &Assembly, results: &mut Results) {
+    for finding in &mut results.findings {
+        let between = |base: &String, incoming: &String| {
+            finding.parts.contains(base) && finding.parts.contains(incoming)
+        };
+        let mates = spec.mates.iter().filter(|m| {
+            finding.mates.contains(&m.id)
+                || (finding.parts.len() > 1 && between(&m.base.part, &m.incoming.part))
+        });
+        let mut ids: Vec<&str> = mates
+            .flat_map(|m| m.axioms.iter().map(String::as_str))
+            .collect();
+        ids.sort_unstable();
+        ids.dedup();
+        let new: Vec<AxiomTrace> = ids
+            .into_iter()
+            .filter(|id| finding.axioms.iter().all(|a| a.axiom != *id))
+            .filter_map(axiom)
+            .map(|a| of(a, AxiomRole::Cited))
+            .collect();
+        finding.axioms.extend(new);
+    }
+}
