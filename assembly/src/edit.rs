@@ -15,8 +15,8 @@ use serde_json::json;
 
 use crate::resolve;
 use crate::state::State;
-use crate::store::check_name;
 use crate::{Faults, Workshop};
+use assemcad_store::check_name;
 
 /// Whether a change changed anything: a call made twice changes nothing the second time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -14,8 +14,8 @@ use assemcad_placing::{Placements, Resolved, ResolvedPart, place};
 use crate::report_files::{self, report_file};
 use crate::resolve;
 use crate::step_header::of_specification;
-use crate::store::file_of;
 use crate::{Faults, Workshop};
+use assemcad_store::file_of;
 
 /// How far a volume may be from what it was when a STEP file is read back, relative.
 const READ_BACK_TOLERANCE: f64 = 1e-6;

@@ -16,8 +16,8 @@ use serde::Serialize;
 use crate::export::{Exported, Step};
 use crate::resolve;
 use crate::state::State;
-use crate::store::{file_of, specification, yaml_bytes};
 use crate::{Faults, Workshop, report_files};
+use assemcad_store::{file_of, specification, yaml_bytes};
 
 /// The stages, in order.
 pub const STAGES: [&str; 7] = [

@@ -1,6 +1,5 @@
 //! Factories that users write: asked for, held against the gate, kept, and loaded again.
 //!
-//! `factories/NAME@VERSION.star` is a source and `factories/NAME@VERSION.json` on what it was admitted.
 //! A version never changes by itself: a newer source under the same name is a new version, and an
 //! assembly names the version that it was built with.
 
@@ -8,21 +7,16 @@ use std::sync::Arc;
 
 use assemcad_factories::Admitted;
 use assemcad_factories::admission::{
-    Admission, Gate, NAMESPACE, Record, Report, Request, file_name, is_valid_user_name,
-    split_version,
+    Admission, Gate, NAMESPACE, Record, Report, Request, is_valid_user_name,
 };
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name;
 use assemcad_model::param::clip;
+use assemcad_store::{Round, history};
 use serde_json::json;
 
-use crate::rounds::{self, Round};
-use crate::store::json_bytes;
 use crate::{Faults, Workshop};
-
-/// Where admitted factories are kept.
-const FOLDER: &str = "factories";
 
 /// Where the rounds of requests are counted.
 const ROUNDS: &str = ".assemcad/syntheses";
@@ -157,17 +151,15 @@ impl Workshop {
         source: &str,
         admission: Admission,
     ) -> Result<Admitted, Faults> {
-        let _lock = self.store.lock_folder(FOLDER).await.map_err(one)?;
+        let _lock = self.store.lock_factories().await.map_err(one)?;
         let newest = self.registry.admitted(&asked.name);
         let newest = newest.map_or(0, |a| a.record.version);
         // Another server over the same folder may have admitted one that this one does not know.
-        let stored = self.store.files_in(FOLDER).map_err(one)?;
-        let versions = stored.iter().filter_map(|file| {
-            let stem = file.strip_suffix(".json").or(file.strip_suffix(".star"))?;
-            let (name, version) = split_version(stem)?;
-            (name == asked.name).then_some(version)
-        });
-        let newest = versions.max().unwrap_or(0).max(newest);
+        let newest = self
+            .store
+            .newest_version(&asked.name)
+            .map_err(one)?
+            .max(newest);
         let record = Record {
             format: Record::FORMAT,
             factory: asked.name.clone(),
@@ -178,77 +170,32 @@ impl Workshop {
             ranges: admission.ranges,
             evidence: admission.evidence,
         };
-        self.write(&record, Some(source))?;
+        self.store
+            .write_factory(&record, Some(source))
+            .map_err(one)?;
         let admitted = self.parsed(record, source).await?;
         self.registry.admit(admitted.clone());
         Ok(admitted)
     }
 
-    fn write(&self, record: &Record, source: Option<&str>) -> Result<(), Faults> {
-        let path = |extension| {
-            let file = file_name(&record.factory, record.version, extension);
-            format!("{FOLDER}/{file}")
-        };
-        let (star, json) = (path("star"), path("json"));
-        let bytes = json_bytes(&json, record).map_err(one)?;
-        // The record is the last to be moved to its place: a source without one is not admitted.
-        let mut files: Vec<(&str, &[u8])> = Vec::new();
-        files.extend(source.map(|text| (star.as_str(), text.as_bytes())));
-        files.push((&json, &bytes));
-        self.store.write_all(&files).map_err(one)
-    }
-
     /// Loads the factories that were admitted before. What is at fault is reported and left out.
     pub async fn load_admitted(&self) -> Faults {
-        let files = match self.store.files_in(FOLDER) {
-            Ok(files) => files,
+        let stored = match self.store.admitted_factories() {
+            Ok(stored) => stored,
             Err(d) => return vec![d],
         };
         let mut found = Vec::new();
-        for file in &files {
-            let path = format!("{FOLDER}/{file}");
-            if let Some(stem) = file.strip_suffix(".json") {
-                match self.load(&path, stem).await {
-                    Ok(admitted) => self.registry.admit(admitted),
-                    Err(faults) => found.extend(faults),
-                }
-            } else if let Some(stem) = file.strip_suffix(".star")
-                && !files.contains(&format!("{stem}.json"))
-            {
-                let d = Diagnostic::error(
-                    Code::FileFailed,
-                    path,
-                    "this source was not admitted: there is no record beside it",
-                );
-                found.push(d.hint("give it to synthesize_factory"));
+        for factory in stored {
+            let admitted = match factory {
+                Ok(stored) => self.parsed(stored.record, &stored.source).await,
+                Err(d) => Err(one(d)),
+            };
+            match admitted {
+                Ok(admitted) => self.registry.admit(admitted),
+                Err(faults) => found.extend(faults),
             }
         }
         found
-    }
-
-    async fn load(&self, path: &str, stem: &str) -> Result<Admitted, Faults> {
-        let damaged = |what: &str| {
-            let d = Diagnostic::error(
-                Code::FileDamaged,
-                path,
-                format!("this is no record of a factory: {what}"),
-            );
-            vec![d.hint("give the source to synthesize_factory again")]
-        };
-        let text = self.store.read_text(path).map_err(one)?;
-        let record: Record =
-            serde_json::from_str(&text).map_err(|e| damaged(&format!("line {}", e.line())))?;
-        if record.format != Record::FORMAT {
-            return Err(damaged(&format!("format {}", record.format)));
-        }
-        if record.name() != stem || !is_valid_user_name(&record.factory) {
-            return Err(damaged("it names another factory than its file"));
-        }
-        let source = self
-            .store
-            .read_text(&format!("{FOLDER}/{stem}.star"))
-            .map_err(one)?;
-        self.parsed(record, &source).await
     }
 
     /// Looks at a factory again whose source was edited since it was admitted: what passes is admitted
@@ -265,7 +212,7 @@ impl Workshop {
         if edited().is_none() {
             return Ok(());
         }
-        let _lock = self.store.lock_folder(FOLDER).await.map_err(one)?;
+        let _lock = self.store.lock_factories().await.map_err(one)?;
         // Another request may have looked at it while this one waited.
         let Some(now) = edited() else {
             return Ok(());
@@ -293,7 +240,7 @@ impl Workshop {
             evidence: admission.evidence,
             ..Record::clone(record)
         };
-        self.write(&record, None)?;
+        self.store.write_factory(&record, None).map_err(one)?;
         self.registry.admit(self.parsed(record, source).await?);
         Ok(())
     }
@@ -326,17 +273,17 @@ fn name_fault(workshop: &Workshop, name: &str) -> Option<Diagnostic> {
 }
 
 /// The rounds are used up: what was tried.
-fn failed(name: &str, history: &[Round]) -> Diagnostic {
+fn failed(name: &str, tried: &[Round]) -> Diagnostic {
     let mut d = Diagnostic::error(
         Code::SynthesisFailed,
         format!("factory {name}"),
         format!(
             "no source for this request passed the gate in {} rounds",
-            history.len()
+            tried.len()
         ),
     );
     // Set whole: it is bounded by itself, and a cut text would be no history.
-    d.found = Some(rounds::history(history));
+    d.found = Some(history(tried));
     d.expected = Some(json!("another name, or another request"));
     d.hint(
         "stop and think again about the part: a simpler shape, narrower ranges, fewer expected ports; another \

@@ -4,8 +4,8 @@ use assemcad_views::measure::{Measurement, Question, measure};
 use assemcad_views::picture::{Drawn, Wanted, draw};
 
 use crate::partial;
-use crate::store::file_of;
 use crate::{Faults, Workshop};
+use assemcad_store::file_of;
 
 impl Workshop {
     /// Draws an assembly.

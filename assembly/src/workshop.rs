@@ -9,7 +9,7 @@ use assemcad_model::diagnostic::Diagnostic;
 use assemcad_script::Evaluator;
 
 use crate::remembered::Remembered;
-use crate::store::Store;
+use assemcad_store::Store;
 
 /// How many rounds a draft, or a source of a factory, has where the server's command line says nothing.
 pub const DEFAULT_ROUNDS: usize = 5;

@@ -6,12 +6,12 @@ use assemcad_model::param::clip;
 use assemcad_model::spec::{End, Mate, Part};
 use assemcad_placing::resolved::port;
 use assemcad_placing::{ResolvedMate, ResolvedPart};
+use assemcad_store::draft::{Draft, Loose};
 use assemcad_verify::axioms::cite::Cited;
 use futures::future::join_all;
 use serde_json::{Value, json};
 
 use super::layout::{coincident, unreached, unsupported};
-use super::read::{Draft, Loose};
 use crate::Workshop;
 use crate::resolve;
 

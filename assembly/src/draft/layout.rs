@@ -6,8 +6,7 @@ use assemcad_model::param::clip;
 use assemcad_model::ports::{Port, PortType};
 use assemcad_model::spec::Mate;
 use assemcad_placing::{Resolved, ResolvedMate, ResolvedPart, place};
-
-use super::read::{Draft, Loose};
+use assemcad_store::draft::{Draft, Loose};
 
 /// Parts that no chain of mates joins to the root.
 pub(super) fn unreached(draft: &Draft, root: Option<usize>, found: &mut Vec<Diagnostic>) {

@@ -9,7 +9,8 @@ use assemcad_model::param::clip;
 use assemcad_model::yaml::MOST_BYTES;
 use cap_std::fs::Dir;
 
-use super::{Store, file_failed, outside};
+use crate::fault::{file_failed, outside};
+use crate::root::Store;
 
 impl Store {
     /// Writes a value as indented JSON; it is on disk when this returns.
@@ -225,7 +226,7 @@ fn not_written(path: &str, e: &io::Error) -> Diagnostic {
 
 #[cfg(test)]
 mod tests {
-    use crate::store::Store;
+    use crate::root::Store;
     use assemcad_model::diagnostic::Code;
 
     fn code<T: std::fmt::Debug>(r: Result<T, assemcad_model::diagnostic::Diagnostic>) -> Code {

@@ -4,7 +4,7 @@ use assemcad_model::report::{AxiomFacts, Report};
 use serde::Serialize;
 use serde_json::Value;
 
-use super::{Table, shown, word};
+use crate::blocks::{Table, shown, word};
 
 /// A value as it is written in the report, without quotation marks.
 fn as_written(value: &impl Serialize) -> String {
@@ -22,7 +22,7 @@ fn point(value: Option<[f64; 3]>) -> String {
     value.map_or_else(|| "–".to_owned(), |[x, y, z]| format!("{x}, {y}, {z}"))
 }
 
-pub(super) fn checks(report: &Report) -> Table {
+pub(crate) fn checks(report: &Report) -> Table {
     Table {
         heads: vec!["check", "verdict", "cases", "how"],
         rows: report
@@ -40,7 +40,7 @@ pub(super) fn checks(report: &Report) -> Table {
     }
 }
 
-pub(super) fn parts(report: &Report) -> Table {
+pub(crate) fn parts(report: &Report) -> Table {
     Table {
         heads: vec![
             "part",
@@ -65,7 +65,7 @@ pub(super) fn parts(report: &Report) -> Table {
     }
 }
 
-pub(super) fn bill(report: &Report) -> Table {
+pub(crate) fn bill(report: &Report) -> Table {
     let params = |line: &serde_json::Map<String, Value>| {
         let all: Vec<String> = line
             .iter()
@@ -99,7 +99,7 @@ pub(super) fn bill(report: &Report) -> Table {
     }
 }
 
-pub(super) fn mates(report: &Report) -> Table {
+pub(crate) fn mates(report: &Report) -> Table {
     Table {
         heads: vec![
             "mate", "type", "base", "incoming", "holds", "contact", "area mm2", "play mm", "axioms",
@@ -124,7 +124,7 @@ pub(super) fn mates(report: &Report) -> Table {
     }
 }
 
-pub(super) fn pairs(report: &Report) -> Table {
+pub(crate) fn pairs(report: &Report) -> Table {
     Table {
         heads: vec![
             "first",
@@ -151,7 +151,7 @@ pub(super) fn pairs(report: &Report) -> Table {
     }
 }
 
-pub(super) fn axioms(facts: &[&AxiomFacts]) -> Table {
+pub(crate) fn axioms(facts: &[&AxiomFacts]) -> Table {
     Table {
         heads: vec!["axiom", "came to", "cases", "cited by", "statement"],
         rows: facts
@@ -169,7 +169,7 @@ pub(super) fn axioms(facts: &[&AxiomFacts]) -> Table {
     }
 }
 
-pub(super) fn hashes(report: &Report) -> Vec<(String, String)> {
+pub(crate) fn hashes(report: &Report) -> Vec<(String, String)> {
     let mut out = vec![
         ("assembly".to_owned(), report.assembly.clone()),
         (

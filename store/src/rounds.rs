@@ -8,7 +8,7 @@ use assemcad_model::name;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-use crate::store::Store;
+use crate::root::Store;
 
 /// What a round found.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -24,7 +24,9 @@ pub struct Round {
 }
 
 impl Round {
-    pub(crate) fn of(found: &[Diagnostic], text_sha256: String) -> Self {
+    /// The round in which this was found of a text.
+    #[must_use]
+    pub fn of(found: &[Diagnostic], text_sha256: String) -> Self {
         let of = |s: Severity| found.iter().filter(|d| d.severity == s).count();
         let mut codes = BTreeMap::new();
         for d in found {
@@ -47,7 +49,7 @@ impl Store {
     ///
     /// # Errors
     /// When the count cannot be written. A damaged count begins anew.
-    pub(crate) async fn count_round(
+    pub async fn count_round(
         &self,
         folder: &str,
         id: Option<&str>,
@@ -55,7 +57,7 @@ impl Store {
         valid: bool,
     ) -> Result<Vec<Round>, Diagnostic> {
         let _lock = self.lock_folder(folder).await?;
-        let file = file_of(folder, id);
+        let file = count_file(folder, id);
         let before: Vec<Round> = self.read_json(&file).unwrap_or_default();
         let mut rounds = before.clone();
         if rounds.last().map(|r| &r.text_sha256) != Some(&round.text_sha256) {
@@ -70,20 +72,21 @@ impl Store {
 
     /// The rounds so far.
     #[must_use]
-    pub(crate) fn rounds(&self, folder: &str, id: &str) -> Vec<Round> {
-        self.read_json(&file_of(folder, Some(id)))
+    pub fn rounds(&self, folder: &str, id: &str) -> Vec<Round> {
+        self.read_json(&count_file(folder, Some(id)))
             .unwrap_or_default()
     }
 }
 
-fn file_of(folder: &str, id: Option<&str>) -> String {
+fn count_file(folder: &str, id: Option<&str>) -> String {
     // No valid name begins with a point, so texts without a usable name share one count.
     let name = id.filter(|id| name::is_valid(id)).unwrap_or(".unnamed");
     format!("{folder}/{name}.json")
 }
 
 /// The last rounds of a row, as a failure tells them.
-pub(crate) fn history(rounds: &[Round]) -> Value {
+#[must_use]
+pub fn history(rounds: &[Round]) -> Value {
     let all = rounds.iter().enumerate();
     let told = all.map(|(i, r)| json!({"round": i + 1, "errors": r.errors, "codes": r.codes}));
     // A loop that goes on all the same is told of its last rounds only.

@@ -1,72 +1,23 @@
 //! The assemblies on disk: one folder each, below the root and nowhere else.
 //!
 //! `assemblies/NAME/assembly.yaml` is the specification; beside it lie the report and the STEP file.
-//! The root is opened as a capability: whatever a path or a link says, nothing outside it is reached.
-//! Files are written beside their place and moved there, so that a reader or a crash never sees half
-//! of one.
 
 use std::io;
-use std::path::{Path, PathBuf};
-use std::sync::atomic::AtomicU64;
 
 use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::name::{self, nearest};
 use assemcad_model::param::clip;
 use assemcad_model::spec::{Assembly, text};
 use assemcad_model::yaml::MOST_BYTES;
-use cap_std::ambient_authority;
-use cap_std::fs::Dir;
 use serde_json::json;
 
 use crate::draft::Draft;
+use crate::fault::file_failed;
+use crate::root::{ASSEMBLIES, Lock, Store, flock};
 
-mod files;
-
-pub use files::json_bytes;
-
-const ASSEMBLIES: &str = "assemblies";
 const SPECIFICATION: &str = "assembly.yaml";
 
-/// The root folder.
-#[derive(Debug)]
-pub struct Store {
-    root: Dir,
-    path: PathBuf,
-    written: AtomicU64,
-}
-
-/// Holds an assembly against every other writer, in this process or another, until dropped.
-#[derive(Debug)]
-pub struct Lock {
-    _folder: std::fs::File,
-}
-
 impl Store {
-    /// Opens the root folder, which is made where it is missing.
-    ///
-    /// # Errors
-    /// When the folder cannot be made or opened.
-    pub fn open(path: &Path) -> Result<Self, Diagnostic> {
-        let open = || -> io::Result<Self> {
-            std::fs::create_dir_all(path)?;
-            let path = path.canonicalize()?;
-            let root = Dir::open_ambient_dir(&path, ambient_authority())?;
-            root.create_dir_all(ASSEMBLIES)?;
-            Ok(Self {
-                root,
-                path,
-                written: AtomicU64::new(0),
-            })
-        };
-        open().map_err(|e| file_failed("--root", "opened", &e))
-    }
-
-    /// The root folder's path.
-    #[must_use]
-    pub fn path(&self) -> &Path {
-        &self.path
-    }
-
     /// The names of the assemblies, sorted.
     ///
     /// # Errors
@@ -177,20 +128,6 @@ impl Store {
         self.write(&specification(&assembly.id), &yaml_bytes(assembly)?)
     }
 
-    /// Holds a folder below the root, which is made where it is missing, against every other writer.
-    pub(crate) async fn lock_folder(&self, folder: &str) -> Result<Lock, Diagnostic> {
-        self.root
-            .create_dir_all(folder)
-            .map_err(|e| file_failed(folder, "made", &e))?;
-        let open = self.root.open(folder);
-        flock(
-            open.map_err(|e| file_failed(folder, "locked", &e))?
-                .into_std(),
-            folder,
-        )
-        .await
-    }
-
     fn unknown(&self, id: &str) -> Diagnostic {
         let names = self.names().unwrap_or_default();
         let near = nearest(id, names.iter().map(String::as_str), 1)
@@ -233,22 +170,6 @@ pub fn yaml_bytes(assembly: &Assembly) -> Result<Vec<u8>, Diagnostic> {
     Ok(text.into_bytes())
 }
 
-async fn flock(folder: std::fs::File, name: &str) -> Result<Lock, Diagnostic> {
-    let locked = tokio::task::spawn_blocking(move || {
-        rustix::fs::flock(&folder, rustix::fs::FlockOperation::LockExclusive)?;
-        Ok::<_, io::Error>(folder)
-    });
-    match locked.await {
-        Ok(Ok(folder)) => Ok(Lock { _folder: folder }),
-        Ok(Err(e)) => Err(file_failed(name, "locked", &e)),
-        Err(e) => Err(file_failed(
-            name,
-            "locked",
-            &io::Error::other(e.to_string()),
-        )),
-    }
-}
-
 /// The path of an assembly's file, below the root.
 #[must_use]
 pub fn file_of(id: &str, name: &str) -> String {
@@ -273,24 +194,6 @@ pub fn check_name(place: &str, name: &str) -> Result<(), Diagnostic> {
         Diagnostic::error(Code::NameInvalid, place, "this is not a name".to_owned())
             .found(name)
             .expected(name::RULE),
-    )
-}
-
-fn outside(path: &str) -> Diagnostic {
-    Diagnostic::error(
-        Code::PathInvalid,
-        "file",
-        "files are read and written below the root folder only",
-    )
-    .found(path)
-    .expected("a relative path without '..' that no link leads out of the root folder")
-}
-
-fn file_failed(place: &str, done: &str, e: &io::Error) -> Diagnostic {
-    Diagnostic::error(
-        Code::FileFailed,
-        clip(place),
-        format!("it could not be {done}: {}", e.kind()),
     )
 }
 

@@ -1,6 +1,7 @@
 //! What a user may have written stands on the page and does nothing there.
 
-use super::{Block, Page, Table, html, markdown};
+use crate::blocks::{Block, Page, Table};
+use crate::{html, markdown};
 use assemcad_model::report::Verdict;
 
 /// A text that would be markup in either form.

@@ -1,6 +1,6 @@
 //! A page as Markdown (CommonMark with GitHub's tables).
 
-use super::{Block, Page, Table, word};
+use crate::blocks::{Block, Page, Table, word};
 
 /// Renders a page.
 #[must_use]

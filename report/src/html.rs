@@ -3,7 +3,7 @@
 use assemcad_model::report::Verdict;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::{Block, Page, Table, word};
+use crate::blocks::{Block, Page, Table, word};
 
 /// Forbids the browser everything but the page's own style.
 const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'";

@@ -1,10 +1,10 @@
 //! Specifications and their texts: what is written is what is read, and the other way round.
 #![cfg(test)]
 
-use assemcad_assembly::draft::Draft;
 use assemcad_model::mates::ALL;
 use assemcad_model::spec::tree::Tree;
 use assemcad_model::spec::{Assembly, End, Mate, Part, text};
+use assemcad_store::Draft;
 use proptest::prelude::*;
 use serde_json::{Map, Value, json};
 

@@ -1,63 +1,12 @@
 //! A report for people: what stands on the page, in which order. How it looks is a matter of
-//! [`markdown`] and [`html`].
+//! [`crate::markdown`] and [`crate::html`].
 //!
 //! A page is made of a report alone, so that it is as reproducible as the report.
 
 use assemcad_model::report::{AxiomRole, AxiomStatus, Finding, Report, Verdict};
-use serde_json::Value;
 
-pub mod html;
-pub mod markdown;
-mod tables;
-
-/// A page.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Page {
-    /// Title.
-    pub title: String,
-    /// What follows under it.
-    pub blocks: Vec<Block>,
-}
-
-/// A piece of a page. All texts are plain: what they hold is shown and never taken for markup.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Block {
-    /// The verdict of all, and a sentence to it.
-    Verdict(Verdict, String),
-    /// A heading, of a section (2) or within one (3).
-    Heading(u8, String),
-    /// A heading of a finding, with its verdict.
-    Finding(Verdict, String),
-    /// A paragraph.
-    Text(String),
-    /// A list.
-    List(Vec<String>),
-    /// Named values.
-    Pairs(Vec<(String, String)>),
-    /// A table.
-    Table(Table),
-    /// Something to copy.
-    Code(String),
-}
-
-/// A table.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Table {
-    /// The heads of the columns.
-    pub heads: Vec<&'static str>,
-    /// The rows.
-    pub rows: Vec<Vec<String>>,
-}
-
-/// How a verdict is called.
-#[must_use]
-pub fn word(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Pass => "pass",
-        Verdict::Indeterminate => "indeterminate",
-        Verdict::Fail => "fail",
-    }
-}
+use crate::blocks::{Block, Page, shown};
+use crate::tables;
 
 /// The page of a report.
 #[must_use]
@@ -159,14 +108,6 @@ fn facts(f: &Finding) -> Vec<(String, String)> {
     out
 }
 
-/// A value without the marks of JSON where it is a plain text.
-fn shown(value: &Value) -> String {
-    match value {
-        Value::String(text) => text.clone(),
-        other => other.to_string(),
-    }
-}
-
 fn role(role: AxiomRole) -> &'static str {
     match role {
         AxiomRole::Broken => "broken",
@@ -232,6 +173,3 @@ fn axioms(report: &Report, blocks: &mut Vec<Block>) {
         blocks.push(Block::List(assumed));
     }
 }
-
-#[cfg(test)]
-mod tests;
