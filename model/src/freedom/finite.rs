@@ -48,9 +48,10 @@ pub(super) fn dimension(model: &Model, basis: &Basis) -> Option<usize> {
     let dense = basis.motions.iter().map(|m| m.dense(model.columns()));
     let unit: Vec<DVector<f64>> = dense.map(|m| m.normalize()).collect();
     // A direction between all of them, in no simple ratio. Where as many motions are free beyond it, the
-    // poses are a smooth set with all of them as tangents.
+    // poses are a smooth set with all of them as tangents. Idle spins go on whatever the rest does: with them
+    // a step would lead away from a pose that it only turns in itself.
     let mut mixed = DVector::zeros(model.columns());
-    for (i, v) in unit.iter().enumerate() {
+    for (i, v) in unit.iter().enumerate().skip(basis.idle) {
         let golden = 0.618_033_988_749_895 * (i as f64 + 1.0);
         mixed += v * (0.5 + golden - libm::floor(golden));
     }

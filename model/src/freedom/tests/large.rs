@@ -141,6 +141,41 @@ fn a_long_closed_chain_moves() {
     }
 }
 
+/// A stretched dyad whose second bar is two plates that bolts hold together: it gives way for an instant only, which
+/// elimination alone does not tell.
+#[test]
+fn what_gives_way_for_an_instant_is_told_in_a_large_block_too() {
+    let bolts = 20;
+    let mut names = vec![
+        "ground".to_owned(),
+        "a".to_owned(),
+        "low".to_owned(),
+        "high".to_owned(),
+    ];
+    names.extend((0..bolts).map(|i| format!("ring_{i:02}")));
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let mut m = Maker::new(&names)
+        .turn(0, 1, [0.0; 3], Z)
+        .turn(1, 2, [50.0, 0.0, 0.0], Z)
+        .free(2, 3, [80.0, 0.0, 5.0], Z, &FLAT)
+        .turn(3, 0, [120.0, 0.0, 0.0], Z);
+    for i in 0..bolts {
+        let at = [
+            60.0 + 2.0 * i as f64,
+            if i % 2 == 0 { 5.0 } else { -5.0 },
+            5.0,
+        ];
+        m = m
+            .turn(2, 4 + i, at, Z)
+            .turn(4 + i, 3, at, Z)
+            .round(4 + i, at, Z);
+    }
+    let f = m.solve();
+    assert_eq!((f.mobility, f.idle_spins), (Some(bolts + 1), bolts));
+    assert_eq!(f.lasting_mobility, Some(bolts));
+    assert_eq!(lasting(&f)[bolts..], [Lasting::Instantaneous]);
+}
+
 fn entries() -> impl Strategy<Value = Vec<(usize, usize, f64)>> {
     prop::collection::vec((0..20usize, 0..24usize, -1.0..1.0f64), 0..120)
 }
