@@ -5,9 +5,8 @@
 //! biconnected components of the graph of units and links (Tarjan, *Depth-first search and linear graph
 //! algorithms*, SIAM Journal on Computing 1, 1972).
 
-use nalgebra::DVector;
-
-use super::model::{Model, Tie, twist_of};
+use super::model::{Model, Tie};
+use super::sparse::Sparse;
 
 /// A block as a model of its own, in the island's scale.
 #[derive(Debug)]
@@ -29,19 +28,14 @@ pub(super) struct Blocks {
     pub(super) blocks: Vec<Block>,
     /// For each unit the block in which something carries it.
     home: Vec<usize>,
+    /// For each unit the blocks that hang on it.
+    hanging: Vec<Vec<usize>>,
 }
 
 impl Blocks {
     pub(super) fn new(model: &Model) -> Self {
-        let mut walk = Walk {
-            model,
-            found: vec![0; model.units + 1],
-            low: vec![0; model.units + 1],
-            count: 0,
-            open: Vec::new(),
-            blocks: Vec::new(),
-        };
-        walk.visit(None, None);
+        let mut walk = Walk::new(model);
+        walk.go();
         // A link between bodies of one unit is a block without unknowns.
         let inner = |t: &Tie| t.base == t.incoming;
         let alone = model.ties.iter().enumerate().filter(|(_, t)| inner(t));
@@ -53,11 +47,21 @@ impl Blocks {
             .into_iter()
             .map(|(root, ties)| Block::new(model, root, ties))
             .collect();
-        let home = |u: usize| blocks.iter().position(|b| b.units.contains(&u));
+        let mut home = vec![usize::MAX; model.units];
+        let mut hanging = vec![Vec::new(); model.units];
+        for (k, block) in blocks.iter().enumerate() {
+            for u in &block.units {
+                if let Some(slot) = home.get_mut(*u) {
+                    *slot = k;
+                }
+            }
+            if let Some(list) = block.root.and_then(|u| hanging.get_mut(u)) {
+                list.push(k);
+            }
+        }
         Self {
-            home: (0..model.units)
-                .map(|u| home(u).unwrap_or(usize::MAX))
-                .collect(),
+            home,
+            hanging,
             blocks,
         }
     }
@@ -71,7 +75,7 @@ impl Blocks {
             let home = *self.home.get(at?)?;
             let here = self.blocks.get(home)?;
             if home == block {
-                return here.units.iter().position(|u| Some(*u) == at);
+                return here.place(at);
             }
             at = here.root;
         }
@@ -93,11 +97,27 @@ impl Blocks {
     }
 
     /// A motion of a block as one of the island.
-    pub(super) fn lifted(&self, block: usize, motion: &DVector<f64>) -> DVector<f64> {
-        let mut out = DVector::zeros(6 * self.home.len());
-        for u in 0..self.home.len() {
-            let twist = twist_of(motion, self.carried(block, Some(u)));
-            out.fixed_rows_mut::<6>(6 * u).copy_from(&twist);
+    pub(super) fn lifted(&self, block: usize, motion: &Sparse) -> Sparse {
+        let mut moved = Vec::new();
+        let units = self.blocks.get(block).map(|b| b.units.as_slice());
+        for place in motion.groups(6) {
+            let Some(unit) = units.and_then(|u| u.get(place)) else {
+                continue;
+            };
+            let twist = motion.twist(Some(place));
+            // The unit, and all that hangs on it, and so on.
+            let mut carried = vec![*unit];
+            while let Some(unit) = carried.pop() {
+                moved.push((unit, twist));
+                let hanging = self.hanging.get(unit).into_iter().flatten();
+                let blocks = hanging.filter_map(|k| self.blocks.get(*k));
+                carried.extend(blocks.flat_map(|b| &b.units));
+            }
+        }
+        moved.sort_by_key(|(unit, _)| *unit);
+        let mut out = Sparse::default();
+        for (unit, twist) in &moved {
+            out.push_twist(*unit, twist);
         }
         out
     }
@@ -114,7 +134,7 @@ impl Block {
         let mut units: Vec<usize> = ends.filter(|u| *u != root).flatten().collect();
         units.sort_unstable();
         units.dedup();
-        let place = |u: Option<usize>| units.iter().position(|x| Some(*x) == u);
+        let place = |u: Option<usize>| units.binary_search(&u?).ok();
         let own = ties.iter().filter_map(of).map(|t| Tie {
             base: place(t.base),
             incoming: place(t.incoming),
@@ -125,6 +145,7 @@ impl Block {
             ties: own.collect(),
             glue: Vec::new(),
             members: Vec::new(),
+            bodies: Vec::new(),
             units: units.len(),
             spins: units.iter().map(spin).collect(),
             middle: model.middle,
@@ -138,22 +159,27 @@ impl Block {
         }
     }
 
+    /// Where a unit of the island is among the units; none for the one that it hangs on.
+    pub(super) fn place(&self, unit: Option<usize>) -> Option<usize> {
+        self.units.binary_search(&unit?).ok()
+    }
+
     /// The part that a motion of the island is of this block: its units against the one it hangs on.
-    pub(super) fn share(&self, motion: &DVector<f64>) -> DVector<f64> {
-        let mut out = DVector::zeros(6 * self.units.len());
-        let root = twist_of(motion, self.root);
+    pub(super) fn share(&self, motion: &Sparse) -> Sparse {
+        let mut out = Sparse::default();
+        let root = motion.twist(self.root);
         for (k, u) in self.units.iter().enumerate() {
-            let twist = twist_of(motion, Some(*u)) - root;
-            out.fixed_rows_mut::<6>(6 * k).copy_from(&twist);
+            out.push_twist(k, &(motion.twist(Some(*u)) - root));
         }
         out
     }
 }
 
 /// A walk in depth over the units, the ground first.
-struct Walk<'a> {
-    model: &'a Model,
-    /// When each unit was found, from 1; the ground is the last entry.
+struct Walk {
+    /// For each unit, the ground last, its ties and the units at their other ends.
+    of: Vec<Vec<(usize, usize)>>,
+    /// When each unit was found, from 1.
     found: Vec<usize>,
     /// The earliest found unit that links lead back to from it and from those found after it.
     low: Vec<usize>,
@@ -162,54 +188,99 @@ struct Walk<'a> {
     blocks: Vec<(Option<usize>, Vec<usize>)>,
 }
 
-impl Walk<'_> {
-    fn slot(&self, unit: Option<usize>) -> usize {
-        unit.unwrap_or(self.model.units)
+/// A unit on the way: which of its ties comes next, by which tie it was found, and how many ties were open then.
+struct Step {
+    unit: usize,
+    next: usize,
+    by: Option<usize>,
+    open: usize,
+}
+
+impl Walk {
+    fn new(model: &Model) -> Self {
+        let n = model.units + 1;
+        let mut of = vec![Vec::new(); n];
+        for (i, tie) in model.ties.iter().enumerate() {
+            let [a, b] = [tie.base, tie.incoming].map(|u| u.unwrap_or(model.units));
+            for (one, other) in [(a, b), (b, a)] {
+                if a != b
+                    && let Some(list) = of.get_mut(one)
+                {
+                    list.push((i, other));
+                }
+            }
+        }
+        Self {
+            of,
+            found: vec![0; n],
+            low: vec![0; n],
+            count: 0,
+            open: Vec::new(),
+            blocks: Vec::new(),
+        }
     }
 
-    fn time(&self, unit: Option<usize>) -> usize {
-        self.found.get(self.slot(unit)).copied().unwrap_or_default()
+    fn time(&self, unit: usize) -> usize {
+        self.found.get(unit).copied().unwrap_or_default()
     }
 
-    fn lowest(&self, unit: Option<usize>) -> usize {
-        self.low.get(self.slot(unit)).copied().unwrap_or_default()
+    fn lowest(&self, unit: usize) -> usize {
+        self.low.get(unit).copied().unwrap_or_default()
     }
 
-    fn lower(&mut self, unit: Option<usize>, to: usize) {
-        let slot = self.slot(unit);
-        if let Some(low) = self.low.get_mut(slot) {
+    fn lower(&mut self, unit: usize, to: usize) {
+        if let Some(low) = self.low.get_mut(unit) {
             *low = (*low).min(to);
         }
     }
 
-    fn visit(&mut self, here: Option<usize>, by: Option<usize>) {
+    fn find(&mut self, unit: usize, by: Option<usize>, open: usize) -> Step {
         self.count += 1;
-        let slot = self.slot(here);
         for list in [&mut self.found, &mut self.low] {
-            if let Some(entry) = list.get_mut(slot) {
+            if let Some(entry) = list.get_mut(unit) {
                 *entry = self.count;
             }
         }
-        for (i, tie) in self.model.ties.iter().enumerate() {
-            let other = match (tie.base == here, tie.incoming == here) {
-                (true, false) => tie.incoming,
-                (false, true) => tie.base,
-                _ => continue,
-            };
-            if Some(i) == by {
-                continue;
-            }
-            if self.time(other) == 0 {
-                let start = self.open.len();
-                self.open.push(i);
-                self.visit(other, Some(i));
-                self.lower(here, self.lowest(other));
-                if self.lowest(other) >= self.time(here) {
-                    self.blocks.push((here, self.open.split_off(start)));
+        Step {
+            unit,
+            next: 0,
+            by,
+            open,
+        }
+    }
+
+    /// All of it, without a call for each unit on the way: chains may be long.
+    fn go(&mut self) {
+        let ground = self.of.len() - 1;
+        let mut way = vec![self.find(ground, None, 0)];
+        while let Some(step) = way.last_mut() {
+            let (here, by) = (step.unit, step.by);
+            let next = self.of.get(here).and_then(|l| l.get(step.next)).copied();
+            step.next += 1;
+            match next {
+                Some((tie, _)) if Some(tie) == by => {}
+                Some((tie, other)) if self.time(other) == 0 => {
+                    let start = self.open.len();
+                    self.open.push(tie);
+                    let found = self.find(other, Some(tie), start);
+                    way.push(found);
                 }
-            } else if self.time(other) < self.time(here) {
-                self.open.push(i);
-                self.lower(here, self.time(other));
+                Some((tie, other)) if self.time(other) < self.time(here) => {
+                    self.open.push(tie);
+                    self.lower(here, self.time(other));
+                }
+                Some(_) => {}
+                None => {
+                    let start = step.open;
+                    way.pop();
+                    if let Some(above) = way.last().map(|s| s.unit) {
+                        self.lower(above, self.lowest(here));
+                        if self.lowest(here) >= self.time(above) {
+                            let root = (above != ground).then_some(above);
+                            self.blocks.push((root, self.open.split_off(start)));
+                        }
+                    }
+                }
             }
         }
     }

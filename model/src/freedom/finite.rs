@@ -3,10 +3,12 @@
 use nalgebra::{DMatrix, DVector, SVD};
 
 use super::Lasting;
+use super::eliminate::eliminate;
 use super::linear::{MOST_STEPS, Rank, rank};
 use super::model::{Model, twist_of};
 use super::motion::Basis;
 use super::rigid::Rigid;
+use super::sparse::Sparse;
 
 /// The step, in radians or shares of the characteristic length. Ours: its square, by which a true motion
 /// bends, is far below it, and its cube far above rounding.
@@ -43,11 +45,13 @@ pub(super) fn dimension(model: &Model, basis: &Basis) -> Option<usize> {
     if !known(model) {
         return None;
     }
-    let unit: Vec<DVector<f64>> = basis.motions.iter().map(DVector::normalize).collect();
+    let dense = basis.motions.iter().map(|m| m.dense(model.columns()));
+    let unit: Vec<DVector<f64>> = dense.map(|m| m.normalize()).collect();
     // A direction between all of them, in no simple ratio. Where as many motions are free beyond it, the
-    // poses are a smooth set with all of them as tangents.
+    // poses are a smooth set with all of them as tangents. Idle spins go on whatever the rest does: with them
+    // a step would lead away from a pose that it only turns in itself.
     let mut mixed = DVector::zeros(model.columns());
-    for (i, v) in unit.iter().enumerate() {
+    for (i, v) in unit.iter().enumerate().skip(basis.idle) {
         let golden = 0.618_033_988_749_895 * (i as f64 + 1.0);
         mixed += v * (0.5 + golden - libm::floor(golden));
     }
@@ -73,14 +77,14 @@ pub(super) fn dimension(model: &Model, basis: &Basis) -> Option<usize> {
 }
 
 /// Whether a motion goes on; standing still does.
-pub(super) fn goes_on(model: &Model, motion: &DVector<f64>) -> Lasting {
+pub(super) fn goes_on(model: &Model, motion: &Sparse) -> Lasting {
     if motion.amax() == 0.0 {
         return Lasting::True;
     }
     if !known(model) {
         return Lasting::Indeterminate;
     }
-    let unit = motion.normalize();
+    let unit = motion.dense(model.columns()).normalize();
     let own = SIZES.map(|size| step(model, &unit, size));
     let all = |what: &dyn Fn(&Stepped) -> bool| own.iter().all(|s| s.as_ref().is_some_and(what));
     if all(&|s| s.strayed < TRUE) {
@@ -99,6 +103,29 @@ fn known(model: &Model) -> bool {
 
 /// A step along a motion, brought back onto the constraints; none where that does not come to an end.
 fn step(model: &Model, along: &DVector<f64>, size: f64) -> Option<Stepped> {
+    if !model.is_large() {
+        return stepped(model, along, size, by_singular_values, rank_of);
+    }
+    let quick = stepped(model, along, size, by_elimination, rank_by_elimination);
+    quick.or_else(|| {
+        let few = model.columns() <= MOST_COLUMNS;
+        few.then(|| stepped(model, along, size, by_singular_values, rank_of))?
+    })
+}
+
+/// Up to so many unknowns a step that elimination loses is tried by singular values: some seconds of work.
+const MOST_COLUMNS: usize = 300;
+
+/// What brings units that have moved nearer to where the residual is nothing.
+type Correction = fn(&Model, &[Rigid], &DVector<f64>) -> Option<DVector<f64>>;
+
+fn stepped(
+    model: &Model,
+    along: &DVector<f64>,
+    size: f64,
+    correction: Correction,
+    rank_at: fn(&Model, &[Rigid]) -> Option<Rank>,
+) -> Option<Stepped> {
     let wanted = along * size;
     let bodies = || 0..model.units;
     let mut at: Vec<Rigid> = bodies()
@@ -109,7 +136,6 @@ fn step(model: &Model, along: &DVector<f64>, size: f64) -> Option<Stepped> {
         if residual.iter().any(|r| !r.is_finite()) {
             return None;
         }
-        let matrix = model.jacobian(&at);
         if residual.amax() < NONE {
             let now = bodies()
                 .zip(&at)
@@ -118,17 +144,43 @@ fn step(model: &Model, along: &DVector<f64>, size: f64) -> Option<Stepped> {
             return Some(Stepped {
                 strayed: (&now - &wanted).norm() / size.abs(),
                 went: now.norm() / size.abs(),
-                freedom: rank(&matrix)
+                freedom: rank_at(model, &at)
                     .filter(Rank::is_clear)
                     .map(|r| model.columns() - r.rank),
             });
         }
-        let by = solve(&matrix, &residual)?;
+        let by = correction(model, &at, &residual)?;
         for (b, r) in bodies().zip(&mut at) {
             *r = Rigid::exp(&-twist_of(&by, Some(b))).after(r);
         }
     }
     None
+}
+
+fn by_singular_values(
+    model: &Model,
+    at: &[Rigid],
+    residual: &DVector<f64>,
+) -> Option<DVector<f64>> {
+    solve(&model.jacobian(at), residual)
+}
+
+fn rank_of(model: &Model, at: &[Rigid]) -> Option<Rank> {
+    rank(&model.jacobian(at))
+}
+
+/// A correction that meets the independent rows; where the others are not met by it, it leads nowhere.
+fn by_elimination(model: &Model, at: &[Rigid], residual: &DVector<f64>) -> Option<DVector<f64>> {
+    let mut rows = model.rows_at(at);
+    for (row, r) in rows.iter_mut().zip(residual.iter()) {
+        row.push(model.columns(), *r);
+    }
+    let found = eliminate(&rows, model.columns(), 6, false)?;
+    Some(DVector::from_vec(found.solution()))
+}
+
+fn rank_by_elimination(model: &Model, at: &[Rigid]) -> Option<Rank> {
+    Some(eliminate(&model.rows_at(at), model.columns(), 6, false)?.rank)
 }
 
 /// The smallest correction of all that lower the residual most.

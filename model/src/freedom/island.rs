@@ -1,16 +1,18 @@
 //! Connected sets of bodies: each is analysed alone.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::blocks::{Block, Blocks};
+use super::eliminate::eliminate;
 use super::joints::{self, JointMotion};
 use super::linear::{Rank, null_space, rank};
 use super::model::Model;
 use super::motion;
 use super::redundant::{self, Redundant};
 use super::rigid::Rigid;
+use super::sparse::Sparse;
 use super::words::{self, Motion};
 use super::{Lasting, System, finite};
 use crate::report::rounded;
@@ -62,35 +64,60 @@ pub(super) fn split(system: &System) -> Vec<Island> {
     let mut links: Vec<usize> = (0..system.links.len()).collect();
     let link_name = |i: &usize| system.links.get(*i).map(|l| l.name.as_str());
     links.sort_by(|a, b| link_name(a).cmp(&link_name(b)));
-    let ends = |l: &usize| system.links.get(*l).map(|l| (l.base, l.incoming));
-    let mut seen: Vec<usize> = Vec::new();
-    let mut out = Vec::new();
+    // The links of each body, in the order of their names.
+    let mut of: Vec<Vec<(usize, usize)>> = vec![Vec::new(); system.bodies.len()];
+    for l in &links {
+        let Some(link) = system.links.get(*l) else {
+            continue;
+        };
+        for (one, other) in [(link.base, link.incoming), (link.incoming, link.base)] {
+            if other < system.bodies.len()
+                && one != other
+                && let Some(list) = of.get_mut(one)
+            {
+                list.push((*l, other));
+            }
+        }
+    }
+    let mut island_of: Vec<Option<usize>> = vec![None; system.bodies.len()];
+    let mut out: Vec<Island> = Vec::new();
     for start in order {
-        if seen.contains(&start) {
+        if island_of.get(start).copied().flatten().is_some() {
             continue;
         }
         let mut bodies = vec![start];
+        let mut found = |body: usize| {
+            let slot = island_of.get_mut(body);
+            slot.is_some_and(|s| s.replace(out.len()).is_none())
+        };
+        found(start);
         let mut at = 0;
         while let Some(here) = bodies.get(at).copied() {
             at += 1;
-            for (a, b) in links.iter().filter_map(ends) {
-                for (one, other) in [(a, b), (b, a)] {
-                    if one == here && !bodies.contains(&other) && other < system.bodies.len() {
-                        bodies.push(other);
-                    }
+            for (_, other) in of.get(here).map(Vec::as_slice).unwrap_or_default() {
+                if found(*other) {
+                    bodies.push(*other);
                 }
             }
         }
-        seen.extend(&bodies);
-        let held = |l: &usize| {
-            ends(l).is_some_and(|(a, b)| bodies.contains(&a) && bodies.contains(&b) && a != b)
-        };
         out.push(Island {
-            links: links.iter().copied().filter(held).collect(),
+            links: Vec::new(),
             // Breadth first from the ground, as they were found: near bodies come first.
             bodies,
             floating: system.root != Some(start),
         });
+    }
+    for l in links {
+        let Some(link) = system.links.get(l).filter(|l| l.base != l.incoming) else {
+            continue;
+        };
+        let at = |body: usize| island_of.get(body).copied().flatten();
+        if let (Some(a), Some(b)) = (at(link.base), at(link.incoming))
+            && a == b
+            && let Some(island) = out.get_mut(a)
+        {
+            island.links.push(l);
+        }
     }
     out
 }
@@ -104,7 +131,7 @@ impl Island {
         let clear = solved
             .as_ref()
             .filter(|s| s.iter().all(|b| b.rank.is_clear()));
-        let inner = clear.map(|s| s.iter().map(|b| b.free.ncols()).sum::<usize>());
+        let inner = clear.map(|s| s.iter().map(|b| b.free.len()).sum::<usize>());
         let mut names: Vec<String> = self
             .bodies
             .iter()
@@ -130,25 +157,22 @@ impl Island {
                 lasting: None,
             };
         };
-        let columns: Vec<DVector<f64>> = solved
+        let lifted: Vec<Sparse> = solved
             .iter()
             .enumerate()
-            .flat_map(|(k, s)| s.free.column_iter().map(move |c| (k, c.into_owned())))
-            .map(|(k, c)| blocks.lifted(k, &c))
+            .flat_map(|(k, s)| s.free.iter().map(move |c| (k, c)))
+            .map(|(k, c)| blocks.lifted(k, c))
             .collect();
-        let free = columns_of(model.columns(), &columns);
-        let matrix = model.jacobian(&vec![Rigid::IDENTITY; model.units]);
-        let basis = motion::basis(&model, &matrix, &free);
+        let basis = motion::basis(&model, &lifted);
         // Without redundant rows the poses are a smooth set as wide as its tangents.
         let mut lasting = Some(0);
         let mut each = vec![Lasting::True; basis.motions.len()];
         for (block, s) in blocks.blocks.iter().zip(solved) {
-            let d = s.free.ncols();
-            let wide = if s.matrix.nrows() == s.rank.rank {
+            let d = s.free.len();
+            let wide = if s.stresses.is_empty() {
                 Some(d)
             } else {
-                let own = motion::basis(&block.model, &s.matrix, &s.free);
-                finite::dimension(&block.model, &own)
+                finite::dimension(&block.model, &motion::basis(&block.model, &s.free))
             };
             lasting = lasting.zip(wide).map(|(sum, more)| sum + more);
             if wide != Some(d) {
@@ -161,30 +185,47 @@ impl Island {
             motions: words::named(self, &model, system, &basis, &each),
             facts,
             redundant: redundant::find(self, system, &model, &stresses(&model, &blocks, solved)),
-            joints: joints::find(self, system, &model, &columns),
+            joints: joints::find(self, system, &model, &blocks, &free_of(solved)),
             lasting,
         }
     }
 }
 
-/// A block's rows, their rank, and what they leave free.
+/// What each block's rows leave free.
+fn free_of(solved: &[Solved]) -> Vec<&[Sparse]> {
+    solved.iter().map(|s| s.free.as_slice()).collect()
+}
+
+/// A block's rank, what its rows leave free, and how they add up to nothing.
 struct Solved {
-    matrix: DMatrix<f64>,
     rank: Rank,
-    free: DMatrix<f64>,
+    free: Vec<Sparse>,
+    stresses: Vec<Sparse>,
 }
 
 impl Solved {
     /// None where the rank cannot be computed.
     fn new(block: &Block) -> Option<Self> {
-        let matrix = block
-            .model
-            .jacobian(&vec![Rigid::IDENTITY; block.model.units]);
+        let at = vec![Rigid::IDENTITY; block.model.units];
+        if block.model.is_large() {
+            let rows = block.model.rows_at(&at);
+            let found = eliminate(&rows, block.model.columns(), 6, true)?;
+            return Some(Self {
+                free: found.null_space(&rows)?,
+                stresses: found.stresses(&rows)?,
+                rank: found.rank,
+            });
+        }
+        let matrix = block.model.jacobian(&at);
         let rank = rank(&matrix)?;
+        let columns = |m: DMatrix<f64>| {
+            let all = m.column_iter().map(|c| Sparse::of(c.iter().copied()));
+            all.collect()
+        };
         Some(Self {
-            free: null_space(&matrix, rank.rank),
+            free: columns(null_space(&matrix, rank.rank)),
+            stresses: columns(null_space(&matrix.transpose(), rank.rank)),
             rank,
-            matrix,
         })
     }
 }
@@ -205,36 +246,26 @@ fn together(solved: &[Solved], glued: usize) -> Rank {
 }
 
 /// The stresses without a load of all blocks, as weights on the rows of all ties.
-fn stresses(model: &Model, blocks: &Blocks, solved: &[Solved]) -> DMatrix<f64> {
+fn stresses(model: &Model, blocks: &Blocks, solved: &[Solved]) -> Vec<Sparse> {
     let mut first = Vec::new();
     let mut rows = 0;
     for tie in &model.ties {
         first.push(rows);
         rows += tie.scaled.rows();
     }
-    let mut columns = Vec::new();
+    let mut out = Vec::new();
     for (block, s) in blocks.blocks.iter().zip(solved) {
-        for weights in null_space(&s.matrix.transpose(), s.rank.rank).column_iter() {
-            let mut column = DVector::zeros(rows);
-            let mut own = 0;
-            for (at, n) in block.ties.iter().filter_map(|t| {
-                let rows = model.ties.get(*t)?.scaled.rows();
-                Some((*first.get(*t)?, rows))
-            }) {
-                column.rows_mut(at, n).copy_from(&weights.rows(own, n));
-                own += n;
+        // Where each of the block's rows is among all.
+        let mut place = Vec::new();
+        for t in &block.ties {
+            if let (Some(tie), Some(at)) = (model.ties.get(*t), first.get(*t)) {
+                place.extend(*at..*at + tie.scaled.rows());
             }
-            columns.push(column);
         }
-    }
-    columns_of(rows, &columns)
-}
-
-/// Columns as a matrix, also where there are none.
-fn columns_of(rows: usize, columns: &[DVector<f64>]) -> DMatrix<f64> {
-    let mut out = DMatrix::zeros(rows, columns.len());
-    for (k, column) in columns.iter().enumerate() {
-        out.set_column(k, column);
+        for weights in &s.stresses {
+            let moved = |(own, x): &(usize, f64)| Some((*place.get(*own)?, *x));
+            out.push(Sparse::new(weights.entries().iter().filter_map(moved)));
+        }
     }
     out
 }

@@ -15,7 +15,7 @@ pub const LARGEST_GAP: f64 = 1e-3;
 /// Steps after which a decomposition counts as failed.
 pub(super) const MOST_STEPS: usize = 100_000;
 
-/// A rank and how clearly it stands out.
+/// A rank and how clearly it stands out. Of blocks of more than twenty bodies pivots stand for singular values.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Rank {
     /// How many rows are independent.
@@ -50,6 +50,9 @@ impl Rank {
     }
 }
 
+/// Beyond so many columns a wide matrix is made square first, which keeps its singular values.
+const WIDE: usize = 64;
+
 /// The rank; none where a number is not finite or the decomposition does not end.
 pub(super) fn rank(a: &DMatrix<f64>) -> Option<Rank> {
     let mut found = Rank {
@@ -63,7 +66,13 @@ pub(super) fn rank(a: &DMatrix<f64>) -> Option<Rank> {
     if a.iter().any(|x| !x.is_finite()) {
         return None;
     }
-    let values = SVD::try_new(a.clone(), false, false, f64::EPSILON, MOST_STEPS)?.singular_values;
+    let (m, n) = a.shape();
+    let a = if n > WIDE && n > 4 * m {
+        a.transpose().qr().r()
+    } else {
+        a.clone()
+    };
+    let values = SVD::try_new(a, false, false, f64::EPSILON, MOST_STEPS)?.singular_values;
     let largest = values.max();
     if largest == 0.0 {
         return Some(found);
@@ -92,6 +101,11 @@ pub(super) fn rank_above(a: &DMatrix<f64>) -> usize {
 /// A basis of what a matrix of known rank takes to 0, as columns: elimination with the largest entry left as
 /// pivot (the first of equals), then one column for each unknown that was no pivot, in their order.
 pub(super) fn null_space(a: &DMatrix<f64>, rank: usize) -> DMatrix<f64> {
+    null_space_by(a, rank).1
+}
+
+/// The same, and which unknown is 1 in each column and 0 in the others.
+pub(super) fn null_space_by(a: &DMatrix<f64>, rank: usize) -> (Vec<usize>, DMatrix<f64>) {
     let (mut a, n) = (a.clone(), a.ncols());
     let rank = rank.min(a.nrows()).min(n);
     let mut columns: Vec<usize> = (0..n).collect();
@@ -121,13 +135,13 @@ pub(super) fn null_space(a: &DMatrix<f64>, rank: usize) -> DMatrix<f64> {
     let mut free: Vec<(usize, usize)> = columns.iter().copied().zip(0..n).skip(rank).collect();
     free.sort_unstable();
     let mut out = DMatrix::zeros(n, n - rank);
-    for (c, (unknown, column)) in free.into_iter().enumerate() {
-        set(&mut out, unknown, c, 1.0);
+    for (c, (unknown, column)) in free.iter().enumerate() {
+        set(&mut out, *unknown, c, 1.0);
         for (k, pivot) in columns.iter().take(rank).enumerate() {
-            set(&mut out, *pivot, c, -at(&a, k, column));
+            set(&mut out, *pivot, c, -at(&a, k, *column));
         }
     }
-    out
+    (free.into_iter().map(|(unknown, _)| unknown).collect(), out)
 }
 
 /// An entry; what is outside the matrix is no number.

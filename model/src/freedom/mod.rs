@@ -16,7 +16,7 @@
 //! tangent, whatever carries their axes.
 //!
 //! Rigidly joined bodies are one unit of unknowns, and an island falls into blocks that have no loop in common:
-//! each is solved alone.
+//! each is solved alone, by singular values where it is small, else by elimination unit by unit.
 //!
 //! # Finite steps
 //!
@@ -27,6 +27,7 @@
 
 mod blocks;
 mod drive;
+mod eliminate;
 mod finite;
 mod from_mate;
 mod island;
@@ -37,6 +38,8 @@ mod model;
 mod motion;
 mod redundant;
 mod rigid;
+mod sparse;
+mod spins;
 mod words;
 
 use schemars::JsonSchema;

@@ -6,7 +6,12 @@ use super::island::Island;
 use super::linear::{RANK_TOLERANCE, at as at_entry, set};
 use super::link::Scaled;
 use super::rigid::{Rigid, stack};
+use super::sparse::Sparse;
 use super::{Hold, Link, System};
+
+/// Beyond so many unknowns or rows a model is large. Ours: below, singular values take less than a tenth of a second.
+const LARGE_COLUMNS: usize = 120;
+const LARGE_ROWS: usize = 240;
 
 /// A link between two units; no unit is the ground.
 #[derive(Debug, Clone)]
@@ -30,6 +35,8 @@ pub(super) struct Model {
     pub(super) glue: Vec<usize>,
     /// The bodies but the ground, by their index in the system, and the unit of each.
     pub(super) members: Vec<(usize, Option<usize>)>,
+    /// The bodies of each unit, by their place among the members and their index in the system.
+    pub(super) bodies: Vec<Vec<(usize, usize)>>,
     /// How many units can move.
     pub(super) units: usize,
     /// The turn of each unit about an axis of its own that is no motion of the machine.
@@ -45,32 +52,40 @@ impl Model {
             let found = |l: &usize| Some((*l, system.links.get(*l)?));
             island.links.iter().filter_map(found)
         };
-        let place = |b: usize| island.bodies.iter().position(|m| *m == b);
+        let mut places = vec![None; system.bodies.len()];
+        for (p, b) in island.bodies.iter().enumerate() {
+            if let Some(slot) = places.get_mut(*b) {
+                *slot = Some(p);
+            }
+        }
+        let place = |b: usize| places.get(b).copied().flatten();
         // Which group each body is in, by the first of its bodies.
-        let mut group: Vec<usize> = (0..island.bodies.len()).collect();
+        let mut group = Groups((0..island.bodies.len()).collect());
         let mut glue = Vec::new();
         for (index, link) in links().filter(|(_, l)| merge && holds_all(l)) {
-            let of = |b: usize| place(b).and_then(|p| group.get(p)).copied();
-            let (Some(a), Some(b)) = (of(link.base), of(link.incoming)) else {
+            let (Some(a), Some(b)) = (place(link.base), place(link.incoming)) else {
                 continue;
             };
-            if a != b {
+            if group.join(a, b) {
                 glue.push(index);
-                let (keep, gone) = (a.min(b), a.max(b));
-                group
-                    .iter_mut()
-                    .filter(|g| **g == gone)
-                    .for_each(|g| *g = keep);
             }
         }
         // The ground is first among the bodies.
-        let mut firsts: Vec<usize> = group.iter().copied().filter(|g| *g != 0).collect();
-        firsts.sort_unstable();
-        firsts.dedup();
-        let unit = |p: usize| {
-            let first = group.get(p)?;
-            firsts.iter().position(|f| f == first)
-        };
+        let mut units = 0;
+        let mut unit_of: Vec<Option<usize>> = Vec::new();
+        for p in 0..island.bodies.len() {
+            let first = group.first(p);
+            let unit = if first == 0 {
+                None
+            } else if first == p {
+                units += 1;
+                Some(units - 1)
+            } else {
+                unit_of.get(first).copied().flatten()
+            };
+            unit_of.push(unit);
+        }
+        let unit = |p: usize| unit_of.get(p).copied().flatten();
         let members: Vec<(usize, Option<usize>)> = island
             .bodies
             .iter()
@@ -78,44 +93,64 @@ impl Model {
             .skip(1)
             .map(|(p, b)| (*b, unit(p)))
             .collect();
+        let mut bodies = vec![Vec::new(); units];
+        for (place, (body, unit)) in members.iter().enumerate() {
+            if let Some(list) = unit.and_then(|u| bodies.get_mut(u)) {
+                list.push((place, *body));
+            }
+        }
         let (middle, length) = scale(island, system);
+        let mut glued = glue.iter().peekable();
+        // Both are in the order of the island's links.
         let ties = links()
-            .filter(|(i, _)| !glue.contains(i))
+            .filter(|(i, _)| glued.next_if_eq(&i).is_none())
             .map(|(link, l)| Tie {
                 link,
                 base: place(l.base).and_then(unit),
                 incoming: place(l.incoming).and_then(unit),
                 scaled: Scaled::new(l, &middle, length),
                 far: place(l.base).max(place(l.incoming)),
-            });
+            })
+            .collect();
         let mut out = Self {
-            ties: ties.collect(),
+            ties,
             glue,
             members,
-            units: firsts.len(),
+            bodies,
+            units,
             spins: Vec::new(),
             middle,
             length,
         };
-        out.spins = (0..out.units).map(|u| out.spin(u, system)).collect();
+        out.spins = out.spins(system);
         out
     }
 
     /// A unit spins idly where all its bodies do, about one axis.
-    fn spin(&self, unit: usize, system: &System) -> Option<Vector6<f64>> {
-        let mut found: Option<Vector6<f64>> = None;
-        for (body, _) in self.members.iter().filter(|(_, u)| *u == Some(unit)) {
-            let axis = system.bodies.get(*body)?.spin?;
+    fn spins(&self, system: &System) -> Vec<Option<Vector6<f64>>> {
+        let mut first: Vec<Option<Vector6<f64>>> = vec![None; self.units];
+        let mut off = vec![false; self.units];
+        for (body, unit) in &self.members {
+            let Some((first, off)) = unit.and_then(|u| first.get_mut(u).zip(off.get_mut(u))) else {
+                continue;
+            };
+            let Some(axis) = system.bodies.get(*body).and_then(|b| b.spin) else {
+                *off = true;
+                continue;
+            };
             let (p, d) = (Vector3::from(axis.point), Vector3::from(axis.direction));
             let p = (p - self.middle) / self.length;
             let spin = stack(&d, &p.cross(&d));
-            let first = *found.get_or_insert(spin);
-            let off = (spin - first).norm().min((spin + first).norm());
-            if off > RANK_TOLERANCE {
-                return None;
-            }
+            let known = *first.get_or_insert(spin);
+            *off |= (spin - known).norm().min((spin + known).norm()) > RANK_TOLERANCE;
         }
-        found
+        let each = first.into_iter().zip(off);
+        each.map(|(spin, off)| spin.filter(|_| !off)).collect()
+    }
+
+    /// Whether singular values would take long: it is solved by elimination.
+    pub(super) fn is_large(&self) -> bool {
+        self.columns() > LARGE_COLUMNS || self.rows() > LARGE_ROWS
     }
 
     pub(super) fn columns(&self) -> usize {
@@ -147,6 +182,29 @@ impl Model {
         out
     }
 
+    /// The rows of the constraint matrix after the units moved.
+    pub(super) fn rows_at(&self, at: &[Rigid]) -> Vec<Sparse> {
+        let mut out = Vec::new();
+        for tie in &self.ties {
+            let (base, incoming) = (moved(at, tie.base), moved(at, tie.incoming));
+            let ends = [(tie.base, -1.0), (tie.incoming, 1.0)];
+            for w in tie.scaled.jacobian(&base, &incoming) {
+                let mut row = Sparse::default();
+                if tie.base != tie.incoming {
+                    let mut ends = ends;
+                    ends.sort_by_key(|(unit, _)| *unit);
+                    for (unit, sign) in ends {
+                        if let Some(u) = unit {
+                            row.push_twist(u, &(w * sign));
+                        }
+                    }
+                }
+                out.push(row);
+            }
+        }
+        out
+    }
+
     /// How far each constraint is from holding after the units moved.
     pub(super) fn residual(&self, at: &[Rigid]) -> DVector<f64> {
         let all = self.ties.iter().flat_map(|tie| {
@@ -154,6 +212,33 @@ impl Model {
                 .residual(&moved(at, tie.base), &moved(at, tie.incoming))
         });
         DVector::from_iterator(self.rows(), all)
+    }
+}
+
+/// Bodies in groups, each by the first of its bodies.
+struct Groups(Vec<usize>);
+
+impl Groups {
+    fn first(&mut self, of: usize) -> usize {
+        let mut first = of;
+        while let Some(up) = self.0.get(first).filter(|up| **up != first) {
+            first = *up;
+        }
+        // The next search is shorter.
+        let mut at = of;
+        while let Some(up) = self.0.get_mut(at).filter(|up| **up != first) {
+            at = core::mem::replace(up, first);
+        }
+        first
+    }
+
+    /// Makes the groups of two bodies one; says whether they were two.
+    fn join(&mut self, a: usize, b: usize) -> bool {
+        let (a, b) = (self.first(a), self.first(b));
+        if let Some(slot) = self.0.get_mut(a.max(b)) {
+            *slot = a.min(b);
+        }
+        a != b
     }
 }
 

@@ -1,13 +1,14 @@
 //! Free motions in words.
 
-use nalgebra::DVector;
+use nalgebra::Vector6;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::island::Island;
-use super::model::{Model, twist_of};
+use super::model::Model;
 use super::motion::{Basis, STILL};
 use super::rigid::{angular, linear};
+use super::sparse::Sparse;
 use super::{Lasting, System};
 use crate::report::rounded;
 
@@ -24,6 +25,17 @@ pub struct Motion {
     pub lasting: Lasting,
     /// What each moving body does while the driver, the first body's joint, moves by a radian or a millimetre.
     pub bodies: Vec<BodyMotion>,
+    /// How many bodies move beside the hundred that are listed.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub more_bodies: usize,
+}
+
+/// How many bodies of a motion are listed; how many a sentence names that do the same.
+const MOST_BODIES: usize = 100;
+const MOST_NAMES: usize = 20;
+
+fn is_none(n: &usize) -> bool {
+    *n == 0
 }
 
 /// What a body does in a motion, against the ground.
@@ -80,17 +92,24 @@ pub(super) fn named(
             idle: false,
             lasting: Lasting::True,
             bodies: Vec::new(),
+            more_bodies: 0,
         });
     }
     for (i, (motion, driver)) in basis.motions.iter().zip(&basis.drivers).enumerate() {
         let idle = i < basis.idle;
-        let bodies = body_motions(model, system, motion, driver.travels(model));
+        let travels = driver.travels(model);
+        let (bodies, more) = first_motions(model, system, motion, travels, MOST_BODIES);
+        let mut name = words(&bodies, idle);
+        if more > 0 {
+            name.push_str(&format!("; and {more} more bodies move"));
+        }
         out.push(Motion {
-            name: words(&bodies, idle),
+            name,
             count: 1,
             idle,
             lasting: lasting.get(i).copied().unwrap_or(Lasting::Indeterminate),
             bodies,
+            more_bodies: more,
         });
     }
     out
@@ -100,16 +119,37 @@ pub(super) fn named(
 pub(super) fn body_motions(
     model: &Model,
     system: &System,
-    motion: &DVector<f64>,
+    motion: &Sparse,
     travels: bool,
 ) -> Vec<BodyMotion> {
+    first_motions(model, system, motion, travels, usize::MAX).0
+}
+
+/// What the first of the bodies do, and how many more move.
+fn first_motions(
+    model: &Model,
+    system: &System,
+    motion: &Sparse,
+    travels: bool,
+    most: usize,
+) -> (Vec<BodyMotion>, usize) {
     let scale = if travels { 1.0 / model.length } else { 1.0 };
-    let of = |(body, unit): &(usize, Option<usize>)| {
-        let t = twist_of(motion, *unit);
-        let name = &system.bodies.get(*body)?.name;
-        (t.amax() > STILL * motion.amax()).then(|| body_motion(name, model, &(t * scale)))
+    let still = STILL * motion.amax();
+    let mut moving: Vec<(usize, usize, Vector6<f64>)> = Vec::new();
+    for unit in motion.groups(6) {
+        let t = motion.twist(Some(unit));
+        if t.amax() > still {
+            let bodies = model.bodies.get(unit).into_iter().flatten();
+            moving.extend(bodies.map(|(place, body)| (*place, *body, t * scale)));
+        }
+    }
+    moving.sort_unstable_by_key(|(place, _, _)| *place);
+    let of = |(_, body, t): &(usize, usize, Vector6<f64>)| {
+        Some(body_motion(&system.bodies.get(*body)?.name, model, t))
     };
-    model.members.iter().filter_map(of).collect()
+    let said: Vec<BodyMotion> = moving.iter().take(most).filter_map(of).collect();
+    let more = moving.len() - said.len();
+    (said, more)
 }
 
 fn body_motion(body: &str, model: &Model, t: &nalgebra::Vector6<f64>) -> BodyMotion {
@@ -157,10 +197,8 @@ pub(super) fn words(bodies: &[BodyMotion], idle: bool) -> String {
     let mut groups: Vec<(&BodyMotion, Vec<&str>)> = Vec::new();
     for b in bodies {
         let same = |g: &BodyMotion| {
-            BodyMotion {
-                body: b.body.clone(),
-                ..g.clone()
-            } == *b
+            (g.kind, g.direction, g.through_mm) == (b.kind, b.direction, b.through_mm)
+                && (g.turn_rad, g.travel_mm) == (b.turn_rad, b.travel_mm)
         };
         match groups.iter_mut().find(|(g, _)| same(g)) {
             Some((_, names)) => names.push(&b.body),
@@ -210,8 +248,13 @@ pub(super) fn words(bodies: &[BodyMotion], idle: bool) -> String {
 }
 
 fn quoted(names: &[&str]) -> String {
-    let quoted: Vec<String> = names.iter().map(|n| format!("'{n}'")).collect();
-    quoted.join(", ")
+    let first = names.iter().take(MOST_NAMES);
+    let quoted: Vec<String> = first.map(|n| format!("'{n}'")).collect();
+    let quoted = quoted.join(", ");
+    match names.len().saturating_sub(MOST_NAMES) {
+        0 => quoted,
+        more => format!("{quoted} and {more} more"),
+    }
 }
 
 fn three(x: f64) -> f64 {

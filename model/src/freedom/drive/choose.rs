@@ -1,14 +1,13 @@
 //! Which motion drives a part, and how the others are held.
 
-use nalgebra::DVector;
-
 use super::{DriveKind, NoDrive};
 use crate::freedom::blocks::{Block, Blocks};
 use crate::freedom::island::Island;
 use crate::freedom::linear::{Rank, null_space, rank};
-use crate::freedom::model::{Model, twist_of};
+use crate::freedom::model::Model;
 use crate::freedom::motion::{self, Basis, Driver, STILL};
 use crate::freedom::rigid::{Rigid, angular, linear};
+use crate::freedom::sparse::Sparse;
 
 /// What carries a part and in which of its motions it goes.
 pub(super) struct Choice {
@@ -47,8 +46,8 @@ pub(super) fn choose(
             continue;
         };
         let basis = basis_of(block).ok_or(NoDrive::Unknown)?;
-        let moves = |motion: &DVector<f64>| {
-            let twist = twist_of(motion, Some(own));
+        let moves = |motion: &Sparse| {
+            let twist = motion.twist(Some(own));
             let most = STILL * motion.amax();
             let found = if angular(&twist).norm() > most {
                 DriveKind::Rotate
@@ -57,8 +56,8 @@ pub(super) fn choose(
             } else {
                 return None;
             };
-            let moving =
-                (0..block.units.len()).filter(|u| twist_of(motion, Some(*u)).amax() > most);
+            let units = motion.groups(6).into_iter();
+            let moving = units.filter(|u| motion.twist(Some(*u)).amax() > most);
             kind.is_none_or(|k| k == found)
                 .then_some((found, moving.count()))
         };
@@ -87,7 +86,8 @@ fn basis_of(block: &Block) -> Option<Basis> {
         .jacobian(&vec![Rigid::IDENTITY; block.model.units]);
     let rank = rank(&matrix).filter(Rank::is_clear)?;
     let free = null_space(&matrix, rank.rank);
-    Some(motion::basis(&block.model, &matrix, &free))
+    let free = free.column_iter().map(|c| Sparse::of(c.iter().copied()));
+    Some(motion::basis(&block.model, &free.collect::<Vec<_>>()))
 }
 
 /// The bodies that any motion moves.

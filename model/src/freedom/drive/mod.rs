@@ -15,7 +15,7 @@ use self::choose::{Choice, Held, choose, locked, movable};
 use super::blocks::{Block, Blocks};
 use super::island::split;
 use super::linear::RANK_TOLERANCE;
-use super::model::{Model, moved, twist_of};
+use super::model::{Model, moved};
 use super::rigid::{Rigid, angular, linear};
 use super::words::{BodyMotion, body_motions, words};
 use super::{Axis, System};
@@ -131,7 +131,8 @@ impl Drive {
         let bodies = said(chosen.motion);
         let body = system.bodies.get(chosen.body)?;
         let part = bodies.iter().find(|b| b.body == body.name)?;
-        let twist = twist_of(chosen.basis.motions.get(chosen.motion)?, Some(chosen.unit));
+        let motion = chosen.basis.motions.get(chosen.motion)?;
+        let twist = motion.twist(Some(chosen.unit));
         let along = match chosen.kind {
             DriveKind::Rotate => angular(&twist),
             DriveKind::Slide => linear(&twist),

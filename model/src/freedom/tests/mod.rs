@@ -3,6 +3,7 @@
 mod drive;
 mod gears;
 mod invariance;
+mod large;
 mod linkages;
 mod mates;
 mod merging;
