@@ -1,8 +1,6 @@
 //! What the checks of walls, ways, tools and seats want to have measured on the solids: asked of the kernel's
 //! workers as triangles, and looked at with rays.
 
-use std::sync::Arc;
-
 use assemcad_axioms::asked;
 use assemcad_axioms::facts::{Facts, Reach, TipSeat, Unseen, Wall};
 use assemcad_kernel::asked::Body;
@@ -83,12 +81,12 @@ async fn bodies(kernel: &Kernel, assembled: &Assembled<'_>) -> Vec<Option<Facets
         Some((mesh.ok()??, deflection_mm))
     })
     .await;
-    let body = |(i, mesh): (usize, Option<Arc<Option<(Mesh, f64)>>>)| {
-        let mesh = mesh?;
-        let (mesh, deflection) = mesh.as_ref().as_ref()?;
+    let body = |i: usize, mesh: Option<&Option<(Mesh, f64)>>| {
+        let (mesh, deflection) = mesh?.as_ref()?;
         Some(Facets::new(mesh, &assembled.placements.of(i)?, *deflection))
     };
-    meshes.into_iter().enumerate().map(body).collect()
+    let each = meshes.iter().enumerate();
+    each.map(|(i, mesh)| body(i, mesh.as_deref())).collect()
 }
 
 fn body<'a>(facts: &Facts, bodies: &'a [Option<Facets>], part: &str) -> Option<&'a Facets> {
