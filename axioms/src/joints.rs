@@ -7,7 +7,7 @@ use assemcad_model::ports::PortType;
 
 use crate::class::Class;
 use crate::facts::{Facts, MateFacts, PartFacts, Side};
-use crate::verdict::About;
+use crate::ruling::About;
 
 /// A screw in a threaded hole.
 #[derive(Debug, Clone, Copy)]

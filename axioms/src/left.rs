@@ -2,7 +2,7 @@
 
 use crate::facts::{Facts, JointMotion, MateFacts};
 use crate::joints::about;
-use crate::verdict::{Status, Verdict};
+use crate::ruling::{Ruling, Status};
 
 /// A verdict on each chosen mate from the motion that is left at it in the whole assembly; indeterminate
 /// where that was not analysed.
@@ -10,8 +10,8 @@ pub(crate) fn at_each<'a>(
     facts: &'a Facts,
     axiom: &str,
     chosen: impl Fn(&MateFacts) -> bool,
-    judge: impl Fn(&'a MateFacts, &JointMotion) -> Verdict,
-) -> Vec<Verdict> {
+    judge: impl Fn(&'a MateFacts, &JointMotion) -> Ruling,
+) -> Vec<Ruling> {
     let motion = |mate: &MateFacts| {
         let all = facts.mobility.as_ref()?;
         all.joints.iter().find(|j| j.mate == mate.id)
@@ -24,7 +24,7 @@ pub(crate) fn at_each<'a>(
             Some(left) => judge(m, left),
             None => {
                 let message = format!("the motion at '{}' was not analysed", m.id);
-                Verdict::new(axiom, Status::Indeterminate, about(m), message)
+                Ruling::new(axiom, Status::Indeterminate, about(m), message)
             }
         })
         .collect()

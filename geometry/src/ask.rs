@@ -17,6 +17,7 @@ use crate::pair::{Pair, PlacedSolid};
 use crate::questions::built::Build;
 use crate::questions::contact::Contact;
 use crate::questions::distance::Distance;
+use crate::questions::enters::Enters;
 use crate::questions::measured::Measure;
 use crate::questions::mesh::Mesh;
 use crate::questions::overlap::{Overlap, into_world};
@@ -55,6 +56,14 @@ impl Asker<'_> {
         let (pair, exchanged) = Pair::of(a, b);
         let found = self.ask(&Overlap::new(pair, samples)).await?;
         Ok(into_world(found, if exchanged { &b.at } else { &a.at }))
+    }
+
+    /// Whether a point of one placed solid's skin is shown to lie within the other. That it is not shows nothing.
+    ///
+    /// # Errors
+    /// Why there is no answer.
+    pub async fn enters(&self, a: &PlacedSolid, b: &PlacedSolid) -> Result<bool, Failure> {
+        self.ask(&Enters(Pair::of(a, b).0)).await
     }
 
     /// The area over which two placed solids touch in a surface, stated in the world.

@@ -12,7 +12,7 @@ const FOLDER: &str = "factories";
 
 /// A record and its source.
 #[derive(Debug)]
-pub struct Stored {
+pub struct StoredFactory {
     /// On what it was admitted.
     pub record: Record,
     /// Its source as it is now: whoever edited it may have changed it since.
@@ -65,7 +65,7 @@ impl Store {
     ///
     /// # Errors
     /// When the folder cannot be read.
-    pub fn admitted_factories(&self) -> Result<Vec<Result<Stored, Diagnostic>>, Diagnostic> {
+    pub fn admitted_factories(&self) -> Result<Vec<Result<StoredFactory, Diagnostic>>, Diagnostic> {
         let files = self.files_in(FOLDER)?;
         let each = files.iter().filter_map(|file| {
             let path = format!("{FOLDER}/{file}");
@@ -86,7 +86,7 @@ impl Store {
         Ok(each.collect())
     }
 
-    fn admitted_factory(&self, path: &str, stem: &str) -> Result<Stored, Diagnostic> {
+    fn admitted_factory(&self, path: &str, stem: &str) -> Result<StoredFactory, Diagnostic> {
         let damaged = |what: &str| {
             let d = Diagnostic::error(
                 Code::FileDamaged,
@@ -105,6 +105,6 @@ impl Store {
             return Err(damaged("it names another factory than its file"));
         }
         let source = self.read_text(&format!("{FOLDER}/{stem}.star"))?;
-        Ok(Stored { record, source })
+        Ok(StoredFactory { record, source })
     }
 }

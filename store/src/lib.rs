@@ -14,7 +14,7 @@ mod rounds;
 
 pub use assemblies::{check_name, file_of, specification, yaml_bytes};
 pub use draft::Draft;
-pub use factories::Stored;
+pub use factories::StoredFactory;
 pub use files::json_bytes;
 pub use root::{Lock, Store};
 pub use rounds::{Round, history};

@@ -8,7 +8,7 @@ use crate::class::Class;
 use crate::facts::{Facts, MateFacts, PartFacts, Side};
 use crate::geometry::collinear;
 use crate::joints::about_part;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// A structural part that fasteners hold has two of them, or something else that keeps it from turning.
 pub struct AntiRotation;
@@ -22,7 +22,7 @@ impl Check for AntiRotation {
         "T-09"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+    fn run(&self, facts: &Facts) -> Vec<Ruling> {
         let mut out = Vec::new();
         for part in &facts.parts {
             let flat = matches!(
@@ -45,7 +45,7 @@ fn is_axis(t: PortType) -> bool {
     )
 }
 
-fn held(axiom: &str, facts: &Facts, part: &PartFacts) -> Option<Verdict> {
+fn held(axiom: &str, facts: &Facts, part: &PartFacts) -> Option<Ruling> {
     let mut axes: Vec<Side<'_>> = Vec::new();
     let mut mates: Vec<&MateFacts> = Vec::new();
     let mut screwed = false;
@@ -71,7 +71,7 @@ fn held(axiom: &str, facts: &Facts, part: &PartFacts) -> Option<Verdict> {
         return None;
     }
     if part.placement.is_none() {
-        return Some(Verdict::unplaced(axiom, about_part(part, mates)));
+        return Some(Ruling::unplaced(axiom, about_part(part, mates)));
     }
     let n = axes.len();
     let message = if n > 1 {
@@ -79,5 +79,5 @@ fn held(axiom: &str, facts: &Facts, part: &PartFacts) -> Option<Verdict> {
     } else {
         format!("'{}' can turn about its only fastener", part.id)
     };
-    Some(Verdict::held(axiom, n > 1, about_part(part, mates), message).value("axes", n as f64))
+    Some(Ruling::held(axiom, n > 1, about_part(part, mates), message).value("axes", n as f64))
 }

@@ -6,7 +6,7 @@ use super::Check;
 use crate::asked::{Carried, shafts_in_bearings};
 use crate::facts::{Facts, Stop};
 use crate::joints::about_part;
-use crate::verdict::{Status, Verdict};
+use crate::ruling::{Ruling, Status};
 use assemcad_model::mates::MateType;
 
 /// Along its axis, either way, a shaft meets something that is held, within the end play.
@@ -24,7 +24,7 @@ impl Check for AxialLocation {
         "B-03"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+    fn run(&self, facts: &Facts) -> Vec<Ruling> {
         let thrusts = facts.measured.thrusts.as_deref().unwrap_or_default();
         shafts_in_bearings(facts)
             .into_iter()
@@ -37,7 +37,7 @@ impl Check for AxialLocation {
                         let about = about_part(carried.shaft.part, [carried.mate]);
                         let message =
                             format!("what stops '{shaft}' along its axis was not measured");
-                        Verdict::new(self.axiom(), Status::Indeterminate, about, message)
+                        Ruling::new(self.axiom(), Status::Indeterminate, about, message)
                     }
                 }
             })
@@ -46,7 +46,7 @@ impl Check for AxialLocation {
 }
 
 impl AxialLocation {
-    fn held(&self, facts: &Facts, carried: &Carried<'_>, stops: &[Stop]) -> Verdict {
+    fn held(&self, facts: &Facts, carried: &Carried<'_>, stops: &[Stop]) -> Ruling {
         let shaft = carried.shaft.part.id.as_str();
         let ways = [("along its axis", true), ("against its axis", false)];
         let free: Vec<&str> = ways
@@ -64,7 +64,7 @@ impl AxialLocation {
             )
         };
         let mates = facts.mates_of(shaft);
-        Verdict::held(
+        Ruling::held(
             self.axiom(),
             free.is_empty(),
             about_part(carried.shaft.part, mates),

@@ -4,7 +4,7 @@ use super::Check;
 use crate::facts::Facts;
 use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg, off_axis_mm};
 use crate::hinges::hinges;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// The pins between the same leaves lie on one line.
 pub struct HingeLine;
@@ -18,7 +18,7 @@ impl Check for HingeLine {
         "H-01"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+    fn run(&self, facts: &Facts) -> Vec<Ruling> {
         let all = hinges(facts);
         let mut out = Vec::new();
         for (i, a) in all.iter().enumerate() {
@@ -27,7 +27,7 @@ impl Check for HingeLine {
                     continue;
                 };
                 let Some(seen) = p.pin.sees(&q.pin) else {
-                    out.push(Verdict::unplaced(self.axiom(), a.about()));
+                    out.push(Ruling::unplaced(self.axiom(), a.about()));
                     continue;
                 };
                 let (off, askew) = (off_axis_mm(&seen), askew_deg(&seen));
@@ -44,7 +44,7 @@ impl Check for HingeLine {
                 about.mates.extend(b.about().mates);
                 about.parts.push(b.pin.id.clone());
                 out.push(
-                    Verdict::held(self.axiom(), holds, about, message)
+                    Ruling::held(self.axiom(), holds, about, message)
                         .value("off_axis_mm", off)
                         .value("askew_deg", askew),
                 );

@@ -8,7 +8,7 @@ use super::Check;
 use crate::facts::{Facts, Side};
 use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg};
 use crate::joints::about;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// Where two faces lie on each other, the clearance and threaded holes of the part with fewer of them meet
 /// those of the other. Plain holes may be anything and are not compared.
@@ -30,7 +30,7 @@ impl Check for HolePattern {
         "N-07"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+    fn run(&self, facts: &Facts) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in facts
             .mates
@@ -47,7 +47,7 @@ impl Check for HolePattern {
             }
             let (Some(a), Some(b)) = (openings(&base, &incoming), openings(&incoming, &base))
             else {
-                out.push(Verdict::unplaced(self.axiom(), about(m)));
+                out.push(Ruling::unplaced(self.axiom(), about(m)));
                 continue;
             };
             // Fewer than two holes are no pattern.
@@ -78,7 +78,7 @@ impl Check for HolePattern {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), lacking == 0, about(m), message)
+                Ruling::held(self.axiom(), lacking == 0, about(m), message)
                     .value("in_line", met as f64)
                     .value("not_in_line", lacking as f64),
             );

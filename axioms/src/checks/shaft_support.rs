@@ -8,7 +8,7 @@ use crate::class::Class;
 use crate::facts::{Facts, MateFacts, PartFacts, Side};
 use crate::geometry::NEAR_MM;
 use crate::joints::{about_part, is_cylinder, is_hole, reach_along};
-use crate::verdict::{Status, Verdict};
+use crate::ruling::{Ruling, Status};
 
 /// A shaft has two places along its axis that carry it, or one that takes moments.
 pub struct ShaftSupport;
@@ -34,7 +34,7 @@ impl Check for ShaftSupport {
         "P-01"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+    fn run(&self, facts: &Facts) -> Vec<Ruling> {
         let rotating = facts.parts.iter().filter(|p| turns(facts, p));
         rotating
             .map(|shaft| carried(self.axiom(), facts, shaft))
@@ -72,12 +72,12 @@ fn places<'a>(facts: &'a Facts, shaft: &PartFacts) -> Vec<Place<'a>> {
     out
 }
 
-fn carried(axiom: &str, facts: &Facts, shaft: &PartFacts) -> Verdict {
+fn carried(axiom: &str, facts: &Facts, shaft: &PartFacts) -> Ruling {
     let places = places(facts, shaft);
     let about = about_part(shaft, places.iter().map(|p| p.mate));
     let custom = places.iter().any(|p| p.hole.part.class() == Class::Custom);
     let verdict = |status, message: String| {
-        let v = Verdict::new(axiom, status, about.clone(), message);
+        let v = Ruling::new(axiom, status, about.clone(), message);
         if custom {
             v.assuming("a part of a user's factory with the shaft in its bore carries the shaft")
         } else {

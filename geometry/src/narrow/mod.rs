@@ -18,6 +18,7 @@
 mod beside;
 mod boundary;
 mod edgewise;
+mod enter;
 mod inside;
 mod patch;
 mod region;
@@ -27,5 +28,6 @@ mod touch;
 mod triangles;
 
 pub use boundary::Boundary;
+pub use enter::enter;
 pub use relate::{Common, common};
 pub use touch::touch;

@@ -3,6 +3,7 @@
 pub mod built;
 pub mod contact;
 pub mod distance;
+pub mod enters;
 pub mod measured;
 pub mod mesh;
 pub mod overlap;

@@ -11,7 +11,7 @@ use crate::narrow::Boundary;
 
 /// How far triangles may be off a surface: this share of the solid's diagonal, between these limits in mm.
 const SHARE: f64 = 2e-4;
-const LIMITS_MM: (f64, f64) = (0.002, 0.02);
+const LIMITS_MM: (f64, f64) = (0.002, 0.005);
 
 /// How far they may be turned from it, in degrees. The proof in [`crate::narrow`] rests on it.
 const TURNED_DEG: f64 = 10.0;

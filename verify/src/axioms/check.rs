@@ -6,7 +6,7 @@
 use std::collections::BTreeMap;
 
 use assemcad_axioms::axiom::{Axiom, Checking, Force, Need};
-use assemcad_axioms::verdict::Verdict as Told;
+use assemcad_axioms::ruling::Ruling;
 use assemcad_axioms::{Facts, Status, axioms, checks};
 use assemcad_factories::Registry;
 use assemcad_geometry::Asker;
@@ -36,7 +36,7 @@ pub(crate) async fn run(
 ) -> Axioms {
     let mut facts = facts::facts(registry, spec, assembled, measured);
     measure::measure(door, assembled, &mut facts).await;
-    let mut told: BTreeMap<String, Vec<Told>> = BTreeMap::new();
+    let mut told: BTreeMap<String, Vec<Ruling>> = BTreeMap::new();
     for v in checks::run_all(&facts) {
         told.entry(v.axiom.clone()).or_default().push(v);
     }
@@ -97,7 +97,7 @@ pub(crate) fn not_checked(all: &Axioms) -> Vec<String> {
 }
 
 /// What an axiom came to, by the worst of its cases.
-fn judged(axiom: &Axiom, facts: &Facts, verdicts: &[Told]) -> AxiomFacts {
+fn judged(axiom: &Axiom, facts: &Facts, verdicts: &[Ruling]) -> AxiomFacts {
     let worst = verdicts.iter().map(|v| v.status).max();
     let (status, why) = match (&axiom.check, worst) {
         (Checking::None { why }, _) => (AxiomStatus::NotChecked, Some(why.clone())),
@@ -134,7 +134,7 @@ fn judged(axiom: &Axiom, facts: &Facts, verdicts: &[Told]) -> AxiomFacts {
 
 /// Tells of a case that is not in order: in the finding that another check has made of the same, or else
 /// in one of its own.
-fn find(axiom: &Axiom, told: &Told, spec: &Assembly, results: &mut Results) {
+fn find(axiom: &Axiom, told: &Ruling, spec: &Assembly, results: &mut Results) {
     let broken = told.status == Status::Fail;
     let role = if broken {
         AxiomRole::Broken
@@ -177,7 +177,7 @@ fn find(axiom: &Axiom, told: &Told, spec: &Assembly, results: &mut Results) {
     });
 }
 
-fn place(told: &Told) -> String {
+fn place(told: &Ruling) -> String {
     match (told.about.mates.as_slice(), told.about.parts.as_slice()) {
         ([mate], _) => format!("mate '{mate}'"),
         (_, []) => "assembly".to_owned(),

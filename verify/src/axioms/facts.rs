@@ -1,8 +1,8 @@
 //! What the checks of the axioms read, from a placed and measured assembly.
 
 use assemcad_axioms::facts::{
-    Contact, Facts, Geometry, JointMotion, MateFacts, Measured, Mobility, Overlap, PartFacts,
-    Redundant,
+    Facts, Geometry, JointMotion, MateContact, MateFacts, Measured, Mobility, PairOverlap,
+    PartFacts, Redundant,
 };
 use assemcad_axioms::reasons::reasons;
 use assemcad_factories::Registry;
@@ -144,8 +144,8 @@ fn geometry(p: &report::PartFacts) -> Option<Geometry> {
 
 /// The volume that counts as meant is the one that the check of interference allows: what the mates mean
 /// and the threshold of the verification.
-fn overlaps(measured: &Measurements<'_>) -> Vec<Overlap> {
-    let overlap = |p: &report::PairFacts| Overlap {
+fn overlaps(measured: &Measurements<'_>) -> Vec<PairOverlap> {
+    let overlap = |p: &report::PairFacts| PairOverlap {
         a: p.a.clone(),
         b: p.b.clone(),
         common_mm3: match p.class {
@@ -157,9 +157,9 @@ fn overlaps(measured: &Measurements<'_>) -> Vec<Overlap> {
     measured.pairs.iter().map(overlap).collect()
 }
 
-fn contacts(measured: &Measurements<'_>) -> Vec<Contact> {
+fn contacts(measured: &Measurements<'_>) -> Vec<MateContact> {
     let contact = |m: &report::MateFacts| {
-        Some(Contact {
+        Some(MateContact {
             mate: m.mate.clone(),
             touches: match m.contact? {
                 Verdict::Pass => Some(true),

@@ -82,12 +82,12 @@ async fn bodies(door: Asker<'_>, assembled: &Assembled<'_>) -> Vec<Option<Facets
         Some((mesh.ok()??, deflection_mm))
     })
     .await;
-    let body = |(i, mesh): (usize, Option<Arc<Option<(Arc<Mesh>, f64)>>>)| {
-        let mesh = mesh?;
-        let (mesh, deflection) = mesh.as_ref().as_ref()?;
+    let body = |i: usize, mesh: Option<&Option<(Arc<Mesh>, f64)>>| {
+        let (mesh, deflection) = mesh?.as_ref()?;
         Some(Facets::new(mesh, &assembled.placements.of(i)?, *deflection))
     };
-    meshes.into_iter().enumerate().map(body).collect()
+    let each = meshes.iter().enumerate();
+    each.map(|(i, mesh)| body(i, mesh.as_deref())).collect()
 }
 
 fn body<'a>(facts: &Facts, bodies: &'a [Option<Facets>], part: &str) -> Option<&'a Facets> {

@@ -1,7 +1,7 @@
 //! What would mend a broken axiom, in plain words, and the call to begin with where one is known.
 
 use assemcad_axioms::Axiom;
-use assemcad_axioms::verdict::Verdict;
+use assemcad_axioms::ruling::Ruling;
 use assemcad_model::diagnostic::Diagnostic;
 use assemcad_model::spec::Assembly;
 use serde_json::json;
@@ -18,7 +18,7 @@ enum By {
 }
 
 /// A diagnostic with advice, and the call to begin with.
-pub(super) fn mended(axiom: &Axiom, told: &Verdict, spec: &Assembly, d: Diagnostic) -> Diagnostic {
+pub(super) fn mended(axiom: &Axiom, told: &Ruling, spec: &Assembly, d: Diagnostic) -> Diagnostic {
     let Some((by, hint)) = remedy(&axiom.id) else {
         return d.next("find_axioms", json!({"id": axiom.id}));
     };

@@ -1,7 +1,7 @@
 //! From findings to axioms: those that a finding breaks, and those that the mates between its parts cite.
 
 use assemcad_axioms::knowledge::axiom;
-use assemcad_axioms::verdict::Verdict as Told;
+use assemcad_axioms::ruling::Ruling;
 use assemcad_axioms::{Axiom, Status};
 use assemcad_model::diagnostic::Code;
 use assemcad_model::report::{AxiomRole, AxiomTrace, Finding, Verdict};
@@ -21,7 +21,7 @@ pub(super) fn of(axiom: &Axiom, role: AxiomRole) -> AxiomTrace {
 /// Notes an axiom in the findings that other checks have made of the same thing. Says whether there are any.
 pub(super) fn in_another(
     axiom: &Axiom,
-    told: &Told,
+    told: &Ruling,
     role: AxiomRole,
     results: &mut Results,
 ) -> bool {
@@ -38,7 +38,7 @@ pub(super) fn in_another(
 }
 
 /// Whether a finding of another check says what an axiom's case says.
-fn same(axiom: &Axiom, told: &Told, finding: &Finding) -> bool {
+fn same(axiom: &Axiom, told: &Ruling, finding: &Finding) -> bool {
     let mate = || {
         let own = &told.about.mates;
         !own.is_empty() && own.iter().all(|m| finding.mates.contains(m))

@@ -17,6 +17,7 @@ use assemcad_placing::{Placements, Resolved, ResolvedMate};
 use futures::future::join_all;
 use serde_json::{Map, Value, json};
 
+use crate::checks::interference::SAMPLES;
 use crate::results::Results;
 
 /// The smallest area that counts as contact, in mm2: far below any seat, far above rounding.
@@ -146,8 +147,23 @@ async fn flanks(
             }
         };
         let turned = moved(&incoming, &turned);
-        let volume = match door.common_volume(&base, &turned, 0).await {
-            Ok(v) => v.volume,
+        // A point of one wheel within the other settles it; else the kernel's boolean, whose word alone is not
+        // taken for a contact where it warns.
+        if matches!(door.enters(&base, &turned).await, Ok(true)) {
+            continue;
+        }
+        let volume = match door.common_volume(&base, &turned, SAMPLES).await {
+            Ok(v) if v.warnings.is_empty() => v.volume,
+            Ok(v) => {
+                let message = format!(
+                    "whether the teeth meet is not known: turned {way} by {} degrees, the kernel finds {} mm3 \
+                     in common, but warns: {}",
+                    rounded(deg),
+                    rounded(v.volume),
+                    v.warnings.join("; ")
+                );
+                return Shown::open(Diagnostic::error(Code::Indeterminate, place, message));
+            }
             Err(f) => return Shown::open(diagnostic(&f, &place)),
         };
         values.insert(format!("overlap_turned_{way}_mm3"), json!(rounded(volume)));

@@ -242,6 +242,7 @@ fn idle_spins_do_not_pass_for_motions() {
         idle,
         lasting: Lasting::True,
         bodies: Vec::new(),
+        more_bodies: 0,
     };
     let freedom = |real: usize| Freedom {
         mobility: Some(real + 1),

@@ -22,7 +22,7 @@ pub enum Status {
     Fail,
 }
 
-/// What a verdict is about.
+/// What a ruling is about.
 #[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct About {
     /// Parts.
@@ -49,9 +49,9 @@ impl About {
     }
 }
 
-/// A verdict of a check on one subject.
+/// A ruling of a check on one subject.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct Verdict {
+pub struct Ruling {
     /// Id of the axiom.
     pub axiom: String,
     /// What it came to.
@@ -68,8 +68,8 @@ pub struct Verdict {
     pub assumption: Option<String>,
 }
 
-impl Verdict {
-    /// A verdict.
+impl Ruling {
+    /// A ruling.
     #[must_use]
     pub fn new(axiom: &str, status: Status, about: About, message: impl Into<String>) -> Self {
         Self {
