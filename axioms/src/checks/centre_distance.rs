@@ -1,9 +1,9 @@
 //! G-01: operating centre distance.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::gearing::pairs;
 use crate::geometry::NEAR_MM;
+use crate::indexed::Indexed;
 use crate::verdict::Verdict;
 use assemcad_model::angle::sin_cos_deg;
 
@@ -19,7 +19,7 @@ impl Check for CentreDistance {
         "G-01"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             if p.seen.is_none() {

@@ -1,7 +1,7 @@
 //! T-06: clearance holes suit their bolts.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::{about, ends};
 use crate::tables::clearance;
 use crate::verdict::{About, Status, Verdict};
@@ -22,7 +22,7 @@ impl Check for ClearanceHole {
         "T-06"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
         let mut out = Vec::new();
         for part in &facts.parts {
             for port in part

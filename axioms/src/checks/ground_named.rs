@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::verdict::{About, Verdict};
 
 /// The root is a part of structure.
@@ -17,7 +17,7 @@ impl Check for GroundNamed {
         "F-02"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
         let Some(root) = facts.root() else {
             return Vec::new();
         };

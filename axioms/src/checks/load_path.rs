@@ -1,7 +1,7 @@
 //! N-01: one load path to ground.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::reached;
 use crate::verdict::{About, Verdict};
 
@@ -17,7 +17,7 @@ impl Check for LoadPath {
         "N-01"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
         let Some(root) = facts.root() else {
             return Vec::new();
         };

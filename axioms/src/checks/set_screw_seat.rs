@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::asked::tips;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::verdict::{Status, Verdict};
 
@@ -18,7 +18,7 @@ impl Check for SetScrewSeat {
         "T-08"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
         let seats = facts.measured.tips.as_deref().unwrap_or_default();
         tips(facts)
             .into_iter()

@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::{about, ends};
 use crate::tables::clearance;
 use crate::verdict::Verdict;
@@ -20,7 +20,7 @@ impl Check for WasherOnSlot {
         "T-07"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
         let mut out = Vec::new();
         for mate in &facts.mates {
             let seat = |t| matches!(t, PortType::BoltSeat | PortType::FlatFace);
