@@ -1,5 +1,7 @@
 //! The check `interference`: no two parts have more in common than their mates mean.
 
+use std::collections::BTreeMap;
+
 use assemcad_kernel::protocol::{Built, CommonVolume, Job, Placed as PlacedSolid, Reply};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{Finding, Overlapping, PairFacts, Verdict, rounded};
@@ -10,7 +12,7 @@ use serde_json::{Map, json};
 use crate::Workshop;
 use crate::build::{Box3, box_of, diagnostic, unexpected};
 use crate::place::Placed;
-use crate::resolve::Resolved;
+use crate::resolve::{Resolved, ResolvedMate};
 use crate::verify::Run;
 
 mod clash;
@@ -39,23 +41,22 @@ impl Workshop {
                 .map(|p| p.id.clone())
                 .unwrap_or_default()
         };
-        let mut near = Vec::new();
-        let mut cases = 0;
-        let mut unknown = Vec::new();
-        for i in 0..resolved.parts.len() {
-            for j in i + 1..resolved.parts.len() {
-                // Parts without a place are in no pair; connectivity reports them.
-                let (Some(_), Some(_)) = (placed.of(i), placed.of(j)) else {
-                    continue;
-                };
-                cases += 1;
-                match (world_box(built, placed, i), world_box(built, placed, j)) {
-                    (Some(a), Some(b)) if apart(&a, &b, BOX_MARGIN_MM) => {}
-                    (Some(_), Some(_)) => near.push((i, j)),
-                    _ => unknown.push((i, j)),
-                }
-            }
+        // Parts without a place are in no pair; connectivity reports them.
+        let there = (0..resolved.parts.len()).filter(|i| placed.of(*i).is_some());
+        let there: Vec<usize> = there.collect();
+        let cases = there.len() * there.len().saturating_sub(1) / 2;
+        let boxes: Vec<Option<Box3>> = (0..resolved.parts.len())
+            .map(|i| world_box(built, placed, i))
+            .collect();
+        let near = near_pairs(&boxes, BOX_MARGIN_MM);
+        let made = |i: usize| boxes.get(i).is_some_and(Option::is_some);
+        let mut unknown: Vec<(usize, usize)> = Vec::new();
+        for i in there.iter().filter(|i| !made(**i)) {
+            let others = there.iter().filter(|j| *j != i && (made(**j) || i < *j));
+            unknown.extend(others.map(|j| (*i.min(j), *i.max(j))));
         }
+        unknown.sort_unstable();
+        let mated = by_pair(resolved);
         let results = join_all(near.iter().map(|&(i, j)| async move {
             match (solid(resolved, placed, i), solid(resolved, placed, j)) {
                 (Some(a), Some(b)) => self.common_volume(a, b, &names(i), &names(j)).await,
@@ -72,7 +73,8 @@ impl Workshop {
         let mut clashes = 0;
         for ((i, j), result) in near.into_iter().zip(results) {
             let (a, b) = (names(i), names(j));
-            let allowed = allowed(resolved, i, j);
+            let mates = mated.get(&(i, j)).into_iter().flatten();
+            let allowed = allowed_by(mates.filter_map(|m| resolved.mates.get(*m)));
             let place = result.as_ref().ok().and_then(|v| v.place);
             let mut found = judge(&a, &b, result, tau, &allowed);
             if let (Overlapping::Clash, Some(finding)) = (found.class, &mut found.finding) {
@@ -303,11 +305,23 @@ fn agrees(v: &CommonVolume, estimate: f64, tau: f64) -> bool {
 
 /// What the mates between two parts allow, taken together.
 pub(crate) fn allowed(resolved: &Resolved, i: usize, j: usize) -> Allowed {
+    let joins = |m: &&ResolvedMate| [(i, j), (j, i)].contains(&(m.base, m.incoming));
+    allowed_by(resolved.mates.iter().filter(joins))
+}
+
+/// The mates between each two parts, the earlier part first.
+pub(crate) fn by_pair(resolved: &Resolved) -> BTreeMap<(usize, usize), Vec<usize>> {
+    let mut out: BTreeMap<(usize, usize), Vec<usize>> = BTreeMap::new();
+    for (n, m) in resolved.mates.iter().enumerate() {
+        let pair = (m.base.min(m.incoming), m.base.max(m.incoming));
+        out.entry(pair).or_default().push(n);
+    }
+    out
+}
+
+fn allowed_by<'a>(mates: impl Iterator<Item = &'a ResolvedMate>) -> Allowed {
     let mut out = Allowed::default();
-    for m in &resolved.mates {
-        if (m.base, m.incoming) != (i, j) && (m.base, m.incoming) != (j, i) {
-            continue;
-        }
+    for m in mates {
         let overlap = m.mate.mate_type.kind().overlap(&m.joint());
         out.mates.push(m.mate.id.clone());
         out.least_mm3 += overlap.least_mm3;
@@ -331,6 +345,32 @@ pub(crate) fn solid(resolved: &Resolved, placed: &Placed, i: usize) -> Option<Pl
 
 pub(crate) fn world_box(built: &[Option<Built>], placed: &Placed, i: usize) -> Option<Box3> {
     Some(box_of(built.get(i)?.as_ref()?, &placed.of(i)?))
+}
+
+/// The pairs of boxes that are not further apart than the margin, in order. Swept along the axis along which they
+/// are spread the most.
+pub(crate) fn near_pairs(boxes: &[Option<Box3>], margin_mm: f64) -> Vec<(usize, usize)> {
+    let known = boxes.iter().enumerate();
+    let mut known: Vec<(usize, &Box3)> =
+        known.filter_map(|(i, b)| Some((i, b.as_ref()?))).collect();
+    let at = |p: &[f64; 3], axis: usize| p.get(axis).copied().unwrap_or_default();
+    let spread = |axis: usize| {
+        let lows = known.iter().map(|(_, b)| at(&b.0, axis));
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = lows.fold(ends, |(l, h), x| (l.min(x), h.max(x)));
+        high - low
+    };
+    let axis = (0..3).fold(0, |a, b| if spread(b) > spread(a) { b } else { a });
+    known.sort_by(|(i, a), (j, b)| at(&a.0, axis).total_cmp(&at(&b.0, axis)).then(i.cmp(j)));
+    let mut out = Vec::new();
+    for (n, (i, a)) in known.iter().enumerate() {
+        let beside = known.iter().skip(n + 1);
+        let beside = beside.take_while(|(_, b)| at(&b.0, axis) <= at(&a.1, axis) + margin_mm);
+        let near = beside.filter(|(_, b)| !apart(a, b, margin_mm));
+        out.extend(near.map(|(j, _)| (*i.min(j), *i.max(j))));
+    }
+    out.sort_unstable();
+    out
 }
 
 /// Whether two boxes are further apart than the margin.

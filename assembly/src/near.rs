@@ -1,5 +1,7 @@
 //! The check `clearance`: parts that do not touch are no nearer to each other than was asked for.
 
+use std::collections::BTreeMap;
+
 use assemcad_kernel::asked::Chosen;
 use assemcad_kernel::protocol::{Built, Job, Reply};
 use assemcad_model::diagnostic::{Code, Diagnostic};
@@ -8,8 +10,8 @@ use futures::future::join_all;
 use serde_json::{Map, json};
 
 use crate::Workshop;
-use crate::build::{diagnostic, unexpected};
-use crate::interference::{apart, solid, world_box};
+use crate::build::{Box3, diagnostic, unexpected};
+use crate::interference::{by_pair, near_pairs, solid, world_box};
 use crate::place::Placed;
 use crate::resolve::Resolved;
 use crate::verify::Run;
@@ -30,27 +32,29 @@ impl Workshop {
         clearance_mm: f64,
         run: &mut Run,
     ) -> Vec<NearMiss> {
-        let (mut near, mut cases) = (Vec::new(), 0);
-        for i in 0..resolved.parts.len() {
-            for j in i + 1..resolved.parts.len() {
-                let (Some(a), Some(b)) = (world_box(built, placed, i), world_box(built, placed, j))
-                else {
-                    continue;
-                };
-                if mated(resolved, i, j) {
-                    continue;
-                }
-                cases += 1;
-                if !apart(&a, &b, clearance_mm) {
-                    near.push((i, j));
-                }
-            }
-        }
+        let boxes: Vec<Option<Box3>> = (0..resolved.parts.len())
+            .map(|i| world_box(built, placed, i))
+            .collect();
+        let known = |i: usize| boxes.get(i).is_some_and(Option::is_some);
+        let count = boxes.iter().flatten().count();
+        let mated = by_pair(resolved);
+        let mated_too = mated
+            .keys()
+            .filter(|(i, j)| i != j && known(*i) && known(*j));
+        let cases = count * count.saturating_sub(1) / 2 - mated_too.count();
+        let mut near = near_pairs(&boxes, clearance_mm);
+        near.retain(|pair| !mated.contains_key(pair));
+        let by_names: BTreeMap<(&str, &str), &PairFacts> = pairs
+            .iter()
+            .rev()
+            .map(|p| ((p.a.as_str(), p.b.as_str()), p))
+            .collect();
+        let by_names = &by_names;
         let asked = near.len();
         let name = |i: usize| resolved.parts.get(i).map(|p| p.id.clone());
         let found = join_all(near.into_iter().map(|(i, j)| async move {
             let (a, b) = (name(i)?, name(j)?);
-            let pair = pairs.iter().find(|p| p.a == a && p.b == b);
+            let pair = by_names.get(&(a.as_str(), b.as_str()));
             // What overlaps, or may, is told by the check of interference.
             if pair.is_some_and(|p| p.class != Overlapping::None) {
                 return None;
@@ -99,11 +103,6 @@ impl Workshop {
         run.check("clearance", verdict, cases, &how);
         misses
     }
-}
-
-fn mated(resolved: &Resolved, i: usize, j: usize) -> bool {
-    let joins = |(a, b): (usize, usize)| (a, b) == (i, j) || (a, b) == (j, i);
-    resolved.mates.iter().any(|m| joins((m.base, m.incoming)))
 }
 
 fn warning(a: &str, b: &str, gap: f64, clearance_mm: f64) -> Finding {

@@ -99,3 +99,37 @@ fn boxes_that_touch_are_not_apart() {
     // A box that is no number is apart from nothing.
     assert!(!apart(&([f64::NAN; 3], [f64::NAN; 3]), &a));
 }
+
+/// Boxes in a row, in a plane and all about: what a sweep finds is what all pairs have.
+#[test]
+fn a_sweep_finds_the_pairs_that_are_near() {
+    let mut at = 0.37_f64;
+    let mut next = || {
+        at = (at * 997.0 + 0.123).fract();
+        at
+    };
+    for [x, y, z] in [[90.0, 1.0, 1.0], [1.0, 30.0, 30.0], [9.0, 9.0, 9.0]] {
+        let boxes: Vec<Option<([f64; 3], [f64; 3])>> = (0..120)
+            .map(|i| {
+                let low = [x * next(), y * next(), z * next()];
+                let size = [next(), 2.0 * next(), next()];
+                let high = core::array::from_fn(|k| low[k] + size[k]);
+                (i % 11 != 0).then_some((low, high))
+            })
+            .collect();
+        for margin in [0.0, 0.5] {
+            let mut wanted = Vec::new();
+            for (i, a) in boxes.iter().enumerate() {
+                for (j, b) in boxes.iter().enumerate().skip(i + 1) {
+                    if let (Some(a), Some(b)) = (a, b)
+                        && !super::apart(a, b, margin)
+                    {
+                        wanted.push((i, j));
+                    }
+                }
+            }
+            assert!(wanted.len() > 5);
+            assert_eq!(super::near_pairs(&boxes, margin), wanted);
+        }
+    }
+}
