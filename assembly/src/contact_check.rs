@@ -5,6 +5,8 @@
 //! about the stated axis (a shared edge has none); press fits and threads by their overlap; gears by the
 //! flanks that meet when one gear is turned by the backlash window either way.
 
+use std::collections::BTreeMap;
+
 use assemcad_kernel::contact::{Touch, Where};
 use assemcad_kernel::protocol::{Job, Placed as PlacedSolid, Reply};
 use assemcad_model::diagnostic::{Code, Diagnostic};
@@ -42,6 +44,7 @@ impl Workshop {
         tau: f64,
         run: &mut Run,
     ) {
+        let pairs = &by_names(pairs);
         let shown = join_all(resolved.mates.iter().map(|m| async move {
             let contact = m.mate.mate_type.kind().contact(&m.joint())?;
             // Mates of parts without a place are open already.
@@ -83,7 +86,7 @@ impl Workshop {
         m: &ResolvedMate,
         contact: Contact,
         (at_base, at_incoming): (Placement, Placement),
-        pairs: &[PairFacts],
+        pairs: &ByNames<'_>,
         tau: f64,
     ) -> Shown {
         let place = format!("mate '{}'", m.mate.id);
@@ -230,12 +233,22 @@ fn solid(resolved: &Resolved, part: usize, at: &Placement) -> Option<PlacedSolid
     })
 }
 
+/// Pairs by the names of their parts, the lesser name first.
+type ByNames<'a> = BTreeMap<(&'a str, &'a str), &'a PairFacts>;
+
+fn by_names(pairs: &[PairFacts]) -> ByNames<'_> {
+    let mut out = ByNames::new();
+    for p in pairs {
+        let (a, b) = (p.a.as_str(), p.b.as_str());
+        out.entry((a.min(b), a.max(b))).or_insert(p);
+    }
+    out
+}
+
 /// What was found of the pair that a mate joins.
-fn between<'a>(m: &ResolvedMate, pairs: &'a [PairFacts]) -> Option<&'a PairFacts> {
-    let (a, b) = (&m.mate.base.part, &m.mate.incoming.part);
-    pairs
-        .iter()
-        .find(|p| (p.a == *a && p.b == *b) || (p.a == *b && p.b == *a))
+fn between<'a>(m: &ResolvedMate, pairs: &ByNames<'a>) -> Option<&'a PairFacts> {
+    let (a, b) = (m.mate.base.part.as_str(), m.mate.incoming.part.as_str());
+    pairs.get(&(a.min(b), a.max(b))).copied()
 }
 
 /// A press fit or a thread is where its parts overlap: at least half of what the mate says, since chamfers

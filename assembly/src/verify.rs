@@ -2,6 +2,8 @@
 //!
 //! Every check fails closed: pass, fail, or indeterminate with the reason. What was not checked is said.
 
+use std::collections::BTreeSet;
+
 use assemcad_kernel::protocol::Built;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{
@@ -360,7 +362,12 @@ fn check_connectivity(spec: &Assembly, resolved: &Resolved, run: &mut Run) {
         island
     };
     let mut islands = Vec::new();
-    let mut joined = resolved.root.map(&mut reach).unwrap_or_default();
+    let mut joined: BTreeSet<usize> = resolved
+        .root
+        .map(&mut reach)
+        .into_iter()
+        .flatten()
+        .collect();
     for i in 0..nodes.len() {
         if !joined.contains(&i) {
             let island = reach(i);
