@@ -1,10 +1,12 @@
 //! From the names in a specification to recipes and ports.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::mates::{Joint, MateType};
 use assemcad_model::ports::Port;
 use assemcad_model::spec::{Assembly, End, Mate, Part};
-use assemcad_placing::resolved::{part_unknown, port};
+use assemcad_placing::resolved::{part_unknown, port_among};
 use assemcad_placing::{Resolved, ResolvedMate, ResolvedPart};
 use futures::future::join_all;
 use serde_json::json;
@@ -21,8 +23,38 @@ pub async fn assembly(workshop: &Workshop, spec: &Assembly) -> Result<Resolved, 
     let places: Vec<String> = (0..spec.parts.len())
         .map(|i| format!("parts[{i}]"))
         .collect();
-    let each = spec.parts.iter().zip(&places);
-    for result in join_all(each.map(|(p, place)| part(workshop, p, place))).await {
+    // What is made alike is made once.
+    let mut first: BTreeMap<(&str, String), usize> = BTreeMap::new();
+    let of: Vec<usize> = (spec.parts.iter().enumerate())
+        .map(|(i, p)| {
+            let params = serde_json::to_string(&p.params).unwrap_or_else(|_| p.id.clone());
+            *first.entry((&p.factory, params)).or_insert(i)
+        })
+        .collect();
+    let each = || spec.parts.iter().zip(&places).zip(&of).enumerate();
+    let one = each().filter(|(i, (_, first))| i == *first);
+    let one = one.map(|(_, ((p, place), _))| part(workshop, p, place));
+    let made: Vec<_> = first
+        .into_values()
+        .collect::<BTreeSet<_>>()
+        .into_iter()
+        .collect();
+    let made: BTreeMap<usize, _> = made.into_iter().zip(join_all(one).await).collect();
+    let all = each().map(|(i, ((p, place), first))| {
+        let known = made.get(first);
+        async move {
+            match known {
+                Some(Ok(made)) => Ok(ResolvedPart {
+                    id: p.id.clone(),
+                    ..made.clone()
+                }),
+                Some(Err(faults)) if *first == i => Err(faults.clone()),
+                // What is wrong is told of each part in its own words.
+                _ => part(workshop, p, place).await,
+            }
+        }
+    });
+    for result in join_all(all).await {
         match result {
             Ok(p) => parts.push(p),
             Err(more) => faults.extend(more),
@@ -32,9 +64,15 @@ pub async fn assembly(workshop: &Workshop, spec: &Assembly) -> Result<Resolved, 
         return Err(faults);
     }
     let mut mates = Vec::new();
+    let mut by_name: BTreeMap<&str, usize> = BTreeMap::new();
+    for (i, p) in parts.iter().enumerate() {
+        by_name.entry(&p.id).or_insert(i);
+    }
+    let named = |id: &str| by_name.get(id).copied();
     for (i, m) in spec.mates.iter().enumerate() {
         let place = format!("mates[{i}]");
-        match mate(&parts, &spec.id, m, &|field| format!("{place}.{field}")) {
+        let at = |field: &str| format!("{place}.{field}");
+        match mate_among(&parts, &named, &spec.id, m, &at) {
             Ok(m) => mates.push(m),
             Err(more) => faults.extend(more),
         }
@@ -94,8 +132,19 @@ pub fn mate(
     mate: &Mate,
     at: &dyn Fn(&str) -> String,
 ) -> Result<ResolvedMate, Faults> {
+    mate_among(parts, &|id| index(parts, id), assembly, mate, at)
+}
+
+/// The same, where the index of a part's name is known.
+fn mate_among(
+    parts: &[ResolvedPart],
+    named: &dyn Fn(&str) -> Option<usize>,
+    assembly: &str,
+    mate: &Mate,
+    at: &dyn Fn(&str) -> String,
+) -> Result<ResolvedMate, Faults> {
     let mut faults = Vec::new();
-    let mut find = |end: &End, field: &str| match port(parts, end, &at(field)) {
+    let mut find = |end: &End, field: &str| match port_among(parts, named, end, &at(field)) {
         Ok(found) => Some(found),
         Err(d) => {
             faults.push(d);

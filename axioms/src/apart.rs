@@ -7,7 +7,7 @@
 //! 1994). What comes apart never gets in each other's way again, so that no choice of an order loses
 //! anything. The other way along the same axis turns all arrows round and has the same components.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use petgraph::algo::tarjan_scc;
 use petgraph::graph::{DiGraph, NodeIndex};
@@ -19,59 +19,118 @@ use crate::facts::Way;
 /// assembly.
 #[must_use]
 pub fn groups(parts: &[String], ways: &[Way]) -> Vec<Vec<String>> {
-    let mut groups = vec![parts.to_vec()];
+    let place: BTreeMap<&String, usize> = parts.iter().zip(0..).collect();
+    let arrows = |way: &Way| {
+        let arrow = |part, by| Some((*place.get(part)?, *place.get(by)?));
+        let all = way.stops.iter().filter_map(|s| arrow(&s.part, &s.by));
+        all.collect::<Vec<_>>()
+    };
+    let ways: Vec<Vec<(usize, usize)>> = ways.iter().map(arrows).collect();
+    let mut apart = Apart::new(parts.len());
     loop {
-        let before = groups.len();
-        for way in ways {
-            groups = groups.iter().flat_map(|g| split(g, way)).collect();
+        let before = apart.groups;
+        for way in &ways {
+            apart.along(way);
         }
-        if groups.len() == before {
+        if apart.groups == before {
             break;
         }
     }
-    groups.retain(|g| !g.is_empty());
-    let place = |g: &Vec<String>| parts.iter().position(|p| g.first() == Some(p));
-    groups.sort_by_key(place);
-    groups
+    let name = |i: usize| parts.get(i).cloned();
+    let all = apart.each().into_iter();
+    all.map(|g| g.into_iter().filter_map(name).collect())
+        .collect()
 }
 
-/// What a group falls into along one axis.
-fn split(group: &[String], way: &Way) -> Vec<Vec<String>> {
-    if group.len() < 2 {
-        return vec![group.to_vec()];
-    }
-    let mut graph: DiGraph<&String, ()> = DiGraph::new();
-    let nodes: BTreeMap<&String, NodeIndex> =
-        group.iter().map(|p| (p, graph.add_node(p))).collect();
-    for stop in &way.stops {
-        if let (Some(part), Some(by)) = (nodes.get(&stop.part), nodes.get(&stop.by)) {
-            graph.add_edge(*part, *by, ());
+/// Parts in groups, by their places, as far as they have come apart.
+#[derive(Debug, Clone)]
+pub struct Apart {
+    /// The group of each part.
+    of: Vec<usize>,
+    groups: usize,
+}
+
+impl Apart {
+    /// So many parts, all of them together.
+    #[must_use]
+    pub fn new(parts: usize) -> Self {
+        Self {
+            of: vec![0; parts],
+            groups: parts.min(1),
         }
     }
-    let name = |n: NodeIndex| graph.node_weight(n).map(|p| (*p).clone());
-    tarjan_scc(&graph)
-        .into_iter()
-        .map(|mut nodes| {
-            nodes.sort();
-            nodes.into_iter().filter_map(name).collect()
-        })
-        .collect()
+
+    /// The group of a part.
+    #[must_use]
+    pub fn of(&self, part: usize) -> Option<usize> {
+        self.of.get(part).copied()
+    }
+
+    /// Whether each part is alone.
+    #[must_use]
+    pub fn is_done(&self) -> bool {
+        self.groups == self.of.len()
+    }
+
+    /// Takes all groups apart along an axis, by the arrows from parts to those that are in their way. Says whether
+    /// any came apart.
+    pub fn along(&mut self, arrows: &[(usize, usize)]) -> bool {
+        let mut graph: DiGraph<(), ()> = DiGraph::with_capacity(self.of.len(), arrows.len());
+        for _ in &self.of {
+            graph.add_node(());
+        }
+        for (part, by) in arrows {
+            if self.of.get(*part) == self.of.get(*by) && *part < self.of.len() {
+                graph.add_edge(NodeIndex::new(*part), NodeIndex::new(*by), ());
+            }
+        }
+        let before = self.groups;
+        let found = tarjan_scc(&graph);
+        self.groups = found.len();
+        for (group, nodes) in found.into_iter().enumerate() {
+            for node in nodes {
+                if let Some(of) = self.of.get_mut(node.index()) {
+                    *of = group;
+                }
+            }
+        }
+        self.groups > before
+    }
+
+    /// The groups, by their first parts, each in the order of the parts.
+    #[must_use]
+    pub fn each(&self) -> Vec<Vec<usize>> {
+        let mut at: BTreeMap<usize, usize> = BTreeMap::new();
+        let mut out: Vec<Vec<usize>> = Vec::new();
+        for (part, group) in self.of.iter().enumerate() {
+            let at = *at.entry(*group).or_insert(out.len());
+            match out.get_mut(at) {
+                Some(list) => list.push(part),
+                None => out.push(vec![part]),
+            }
+        }
+        out
+    }
 }
 
 /// A pair of a group that holds each other along every axis, both ways.
 #[must_use]
 pub fn locked<'a>(group: &'a [String], ways: &[Way]) -> Option<(&'a str, &'a str)> {
-    let stopped = |way: &Way, part: &String, by: &String| {
-        way.stops.iter().any(|s| s.part == *part && s.by == *by)
-    };
-    let held = |a: &String, b: &String| {
-        let both = |way: &Way| stopped(way, a, b) && stopped(way, b, a);
-        !ways.is_empty() && ways.iter().all(both)
-    };
-    group.iter().enumerate().find_map(|(i, a)| {
-        let b = group.iter().skip(i + 1).find(|b| held(a, b))?;
-        Some((a.as_str(), b.as_str()))
-    })
+    let place: BTreeMap<&String, usize> = group.iter().zip(0..).collect();
+    let mut held: Option<BTreeSet<(usize, usize)>> = None;
+    for way in ways {
+        let arrow = |part, by| Some((*place.get(part)?, *place.get(by)?));
+        let arrows = way.stops.iter().filter_map(|s| arrow(&s.part, &s.by));
+        let arrows: BTreeSet<(usize, usize)> = arrows.collect();
+        let both = |(a, b): &(usize, usize)| a < b && arrows.contains(&(*b, *a));
+        let here: BTreeSet<(usize, usize)> = arrows.iter().copied().filter(both).collect();
+        held = Some(match held {
+            Some(before) => before.intersection(&here).copied().collect(),
+            None => here,
+        });
+    }
+    let (a, b) = held?.first().copied()?;
+    Some((group.get(a)?, group.get(b)?))
 }
 
 #[cfg(test)]

@@ -1,12 +1,14 @@
 //! What the checks want to have measured: which bores, fasteners, shafts and set screws are looked at, and how.
 //! Who measures asks here, so that question and verdict keep the same rules.
 
+use assemcad_model::frame::Placement;
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 
 use crate::class::Class;
-use crate::facts::{Facts, MateFacts, PartFacts, Side};
+use crate::facts::{MateFacts, PartFacts, Side};
 use crate::geometry::{NEAR_MM, collinear};
+use crate::indexed::Indexed;
 use crate::joints::{ends, is_cylinder, is_hole, reach_along, screwed};
 
 /// A bore whose wall is judged.
@@ -26,34 +28,31 @@ const WALL: f64 = 0.1;
 /// thin on purpose, and of a part of a user's factory nothing is known unless a bearing sits in it. The two
 /// mouths of a through bore are one bore.
 #[must_use]
-pub fn bores(facts: &Facts) -> Vec<Bore<'_>> {
+pub fn bores(facts: &Indexed) -> Vec<Bore<'_>> {
     let mut out: Vec<Bore<'_>> = Vec::new();
     for part in &facts.parts {
+        // The bores of this part, with their inverse frames.
+        let mut own: Vec<(Bore<'_>, Option<Placement>)> = Vec::new();
         for port in part.ports.iter().filter(|p| is_hole(p.port_type)) {
             let hole = Side { part, port };
+            let at = port.frame.placement().ok();
             let wide = |other: &Bore<'_>| {
                 (other.hole.port.value("diameter") - port.value("diameter")).abs() < NEAR_MM
             };
-            let same = |other: &&Bore<'_>| {
-                let at = other
-                    .hole
-                    .port
-                    .frame
-                    .placement()
-                    .ok()
-                    .zip(port.frame.placement().ok());
-                other.hole.part.id == part.id
-                    && wide(other)
-                    && at.is_some_and(|(a, b)| collinear(&(a.inverse() * b)))
+            let same = |(other, back): &(Bore<'_>, Option<Placement>)| {
+                wide(other)
+                    && back.zip(at).is_some_and(|(a, b)| collinear(&(a * b)))
                     && overlaps(&other.hole, &hole)
             };
-            if carries_in_bores(facts, &hole) && !out.iter().any(|b| same(&b)) {
-                out.push(Bore {
+            if carries_in_bores(facts, &hole) && !own.iter().any(same) {
+                let bore = Bore {
                     hole,
                     least_mm: WALL * port.value("diameter"),
-                });
+                };
+                own.push((bore, at.map(|a| a.inverse())));
             }
         }
+        out.extend(own.into_iter().map(|(bore, _)| bore));
     }
     out
 }
@@ -67,7 +66,7 @@ fn overlaps(one: &Side<'_>, two: &Side<'_>) -> bool {
     }
 }
 
-fn carries_in_bores(facts: &Facts, hole: &Side<'_>) -> bool {
+fn carries_in_bores(facts: &Indexed, hole: &Side<'_>) -> bool {
     match hole.part.class() {
         Class::Boss | Class::Coupling | Class::Flange | Class::Housing | Class::SpurGear => true,
         Class::Custom => facts.mates_of(&hole.part.id).any(|m| {
@@ -112,13 +111,59 @@ const KEY: f64 = 0.5;
 /// The fasteners that a tool has to reach: bolts, nuts, set screws, and parts of a user's factory with a seat
 /// and a screw's thread on one axis.
 #[must_use]
-pub fn tools(facts: &Facts) -> Vec<Tool<'_>> {
-    facts.parts.iter().filter_map(|p| tool(facts, p)).collect()
+pub fn tools(facts: &Indexed) -> Vec<Tool<'_>> {
+    let threads = Threads::new(facts);
+    let each = facts.parts.iter();
+    each.filter_map(|p| tool(&threads, p)).collect()
 }
 
-fn tool<'a>(facts: &'a Facts, part: &'a PartFacts) -> Option<Tool<'a>> {
+/// The placed threads of all parts, with the points of their axes: part, port and frame.
+struct Threads<'a> {
+    external: Vec<(Side<'a>, Placement)>,
+    internal: Vec<(Side<'a>, Placement)>,
+}
+
+impl<'a> Threads<'a> {
+    fn new(facts: &'a Indexed) -> Self {
+        let of = |wanted: PortType| {
+            let all = facts.parts.iter().flat_map(|part| {
+                let ports = part.ports.iter().filter(move |p| p.port_type == wanted);
+                ports.map(move |port| Side { part, port })
+            });
+            all.filter_map(|s| Some((s, s.world()?))).collect()
+        };
+        Self {
+            external: of(PortType::ThreadExternal),
+            internal: of(PortType::ThreadInternal),
+        }
+    }
+
+    /// The other parts with a thread on the axis of a port, in their order.
+    fn on_axis(&self, own: &Side<'a>, wanted: Option<PortType>) -> Vec<&'a str> {
+        let all = match wanted {
+            Some(PortType::ThreadExternal) => &self.external,
+            Some(PortType::ThreadInternal) => &self.internal,
+            _ => return Vec::new(),
+        };
+        let Some(back) = own.world().map(|w| w.inverse()) else {
+            return Vec::new();
+        };
+        let there = |(other, at): &&(Side<'a>, Placement)| {
+            other.part.id != own.part.id && collinear(&(back * *at))
+        };
+        let mut out: Vec<&str> = all
+            .iter()
+            .filter(there)
+            .map(|(other, _)| other.part.id.as_str())
+            .collect();
+        out.dedup();
+        out
+    }
+}
+
+fn tool<'a>(threads: &Threads<'a>, part: &'a PartFacts) -> Option<Tool<'a>> {
     let of = |t: PortType| part.ports.iter().find(move |p| p.port_type == t);
-    let threaded = || {
+    let screw = || {
         let (seat, thread) = (of(PortType::BoltSeat)?, of(PortType::ThreadExternal)?);
         let (s, t) = (seat.frame.placement().ok()?, thread.frame.placement().ok()?);
         collinear(&(s.inverse() * t)).then_some(seat)
@@ -129,7 +174,7 @@ fn tool<'a>(facts: &'a Facts, part: &'a PartFacts) -> Option<Tool<'a>> {
             (seat, WIDTH * seat.value("outer_diameter"))
         }
         Class::Custom => {
-            let seat = threaded()?;
+            let seat = screw()?;
             (seat, WIDTH * seat.value("outer_diameter"))
         }
         Class::SetScrew => {
@@ -145,21 +190,12 @@ fn tool<'a>(facts: &'a Facts, part: &'a PartFacts) -> Option<Tool<'a>> {
         _ => None,
     };
     let own = Side { part, port };
-    let threads = |other: &&PartFacts| {
-        let mut ports = other.ports.iter().filter(|p| Some(p.port_type) == wanted);
-        let on_axis = |port| {
-            let seen = own.sees(&Side { part: other, port });
-            seen.is_some_and(|s| collinear(&s))
-        };
-        other.id != part.id && ports.any(on_axis)
-    };
-    let inside = facts.parts.iter().filter(threads).map(|p| p.id.as_str());
     Some(Tool {
         fastener: part,
         port,
         diameter_mm: width,
         length_mm: LENGTH * width,
-        inside: inside.collect(),
+        inside: threads.on_axis(&own, wanted),
     })
 }
 
@@ -172,20 +208,20 @@ pub struct Carried<'a> {
     pub mate: &'a MateFacts,
 }
 
+/// The most end play at one stop of a shaft, in mm. Ours: more is no location but a catch. What stops a part only
+/// farther away need not be measured more closely.
+pub const END_PLAY_MM: f64 = 1.0;
+
 /// The shafts that sit in bearings.
 #[must_use]
-pub fn shafts_in_bearings(facts: &Facts) -> Vec<Carried<'_>> {
+pub fn shafts_in_bearings(facts: &Indexed) -> Vec<Carried<'_>> {
     let on_ring = |part: &PartFacts| {
-        facts
-            .mates
-            .iter()
-            .filter(|m| m.has(&part.id))
-            .find_map(|mate| {
-                let (own, other) = facts.seen_from(&part.id, mate)?;
-                let sits = is_cylinder(own.port.port_type) && other.is(PortType::Bore);
-                (sits && other.part.class() == Class::BallBearing)
-                    .then_some(Carried { shaft: own, mate })
-            })
+        facts.mates_of(&part.id).find_map(|mate| {
+            let (own, other) = facts.seen_from(&part.id, mate)?;
+            let sits = is_cylinder(own.port.port_type) && other.is(PortType::Bore);
+            (sits && other.part.class() == Class::BallBearing)
+                .then_some(Carried { shaft: own, mate })
+        })
     };
     facts
         .parts
@@ -199,12 +235,12 @@ pub fn shafts_in_bearings(facts: &Facts) -> Vec<Carried<'_>> {
 /// and is joined to nothing but by its cylinders and teeth. One that is fastened to something is an axle that
 /// stands still.
 #[must_use]
-pub fn turns(facts: &Facts, part: &PartFacts) -> bool {
+pub fn turns(facts: &Indexed, part: &PartFacts) -> bool {
     if facts.root() == Some(&part.id) {
         return false;
     }
     let sides = || {
-        let mates = facts.mates.iter().filter(|m| m.has(&part.id));
+        let mates = facts.mates_of(&part.id);
         mates.filter_map(|m| facts.seen_from(&part.id, m))
     };
     match part.class() {
@@ -236,7 +272,7 @@ pub struct Tip<'a> {
 /// The set screws that hold hubs: a screw without a head, in a hub's thread whose axis meets that of the
 /// shaft in the hub's bore at a right angle.
 #[must_use]
-pub fn tips(facts: &Facts) -> Vec<Tip<'_>> {
+pub fn tips(facts: &Indexed) -> Vec<Tip<'_>> {
     let mut out = Vec::new();
     for s in screwed(facts) {
         let head = |p: &assemcad_model::ports::Port| p.port_type == PortType::BoltSeat;

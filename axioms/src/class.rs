@@ -119,7 +119,8 @@ impl Class {
         BUILT_IN
             .iter()
             .find(|(name, _)| {
-                *name == factory || name.split_once('.').is_some_and(|(_, s)| s == factory)
+                let short = name.strip_suffix(factory);
+                short.is_some_and(|s| s.is_empty() || s.find('.') == s.len().checked_sub(1))
             })
             .map_or(Self::Custom, |(_, class)| *class)
     }

@@ -7,8 +7,9 @@ use assemcad_model::frame::Placement;
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::{Port, PortType};
 
-use crate::facts::{Facts, MateFacts, Side};
+use crate::facts::{MateFacts, Side};
 use crate::geometry::{NEAR_DEG, askew_deg, off_axis_mm};
+use crate::indexed::Indexed;
 use crate::ruling::About;
 
 /// Within this angle, in degrees, a gear counts as straight.
@@ -130,7 +131,7 @@ pub(crate) struct Pair<'a> {
 }
 
 /// Every pair of gears that a mate joins.
-pub(crate) fn pairs(facts: &Facts) -> Vec<Pair<'_>> {
+pub(crate) fn pairs(facts: &Indexed) -> Vec<Pair<'_>> {
     let of = |mate: &'_ MateFacts| -> Option<(Side<'_>, Side<'_>)> {
         let (base, incoming) = facts.sides(mate)?;
         let teeth = base.is(PortType::GearMesh) && incoming.is(PortType::GearMesh);

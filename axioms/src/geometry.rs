@@ -30,5 +30,6 @@ pub(crate) fn askew_deg(seen: &Placement) -> f64 {
 
 /// Whether two axes lie on one line.
 pub(crate) fn collinear(seen: &Placement) -> bool {
-    askew_deg(seen) <= NEAR_DEG && off_axis_mm(seen) <= NEAR_MM
+    // The cheaper question first: most axes are elsewhere.
+    off_axis_mm(seen) <= NEAR_MM && askew_deg(seen) <= NEAR_DEG
 }

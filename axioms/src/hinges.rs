@@ -1,8 +1,11 @@
 //! What the checks of hinges share. A hinge is what a mate says is one: it cites an axiom of hinges.
 
+use std::collections::BTreeMap;
+
 use assemcad_model::mates::MateType;
 
-use crate::facts::{Facts, MateFacts, PartFacts, Side};
+use crate::facts::{MateFacts, PartFacts, Side};
+use crate::indexed::Indexed;
 use crate::joints::{ends, is_cylinder, is_hole, reach_along};
 use crate::ruling::About;
 
@@ -28,14 +31,16 @@ pub(crate) struct Hinge<'a> {
 }
 
 /// Every hinge: a pin, one of whose mates cites an axiom of hinges, and all the holes that it passes.
-pub(crate) fn hinges(facts: &Facts) -> Vec<Hinge<'_>> {
+pub(crate) fn hinges(facts: &Indexed) -> Vec<Hinge<'_>> {
     let mut out: Vec<Hinge<'_>> = Vec::new();
+    let mut by_pin: BTreeMap<&str, usize> = BTreeMap::new();
     for mate in &facts.mates {
         let Some((hole, pin)) = ends(facts, mate, is_hole, is_cylinder) else {
             continue;
         };
         let knuckle = Knuckle { mate, hole, pin };
-        match out.iter_mut().find(|h| h.pin.id == pin.part.id) {
+        let at = *by_pin.entry(&pin.part.id).or_insert(out.len());
+        match out.get_mut(at) {
             Some(h) => h.knuckles.push(knuckle),
             None => out.push(Hinge {
                 pin: pin.part,

@@ -6,7 +6,8 @@ use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 
 use crate::class::Class;
-use crate::facts::{Facts, MateFacts, PartFacts, Side};
+use crate::facts::{MateFacts, PartFacts, Side};
+use crate::indexed::Indexed;
 use crate::ruling::About;
 
 /// A screw in a threaded hole.
@@ -41,7 +42,7 @@ impl Screwed<'_> {
 }
 
 /// Every screw that is fixed in a threaded hole; drives are not meant.
-pub(crate) fn screwed(facts: &Facts) -> Vec<Screwed<'_>> {
+pub(crate) fn screwed(facts: &Indexed) -> Vec<Screwed<'_>> {
     let mut out = Vec::new();
     for mate in &facts.mates {
         if mate.mate_type != MateType::ThreadEngage {
@@ -64,7 +65,7 @@ pub(crate) fn screwed(facts: &Facts) -> Vec<Screwed<'_>> {
 
 /// The ends of a mate of which one is of one type and the other of another, in that order.
 pub(crate) fn ends<'a>(
-    facts: &'a Facts,
+    facts: &'a Indexed,
     mate: &MateFacts,
     first: impl Fn(PortType) -> bool,
     second: impl Fn(PortType) -> bool,
@@ -111,7 +112,7 @@ pub(crate) fn about_part<'a>(
 }
 
 /// The parts of a class.
-pub(crate) fn of_class(facts: &Facts, class: Class) -> impl Iterator<Item = &PartFacts> {
+pub(crate) fn of_class(facts: &Indexed, class: Class) -> impl Iterator<Item = &PartFacts> {
     facts.parts.iter().filter(move |p| p.class() == class)
 }
 
@@ -135,19 +136,17 @@ pub(crate) fn reach_along(own: &Side<'_>, other: &Side<'_>) -> Option<(f64, f64)
 }
 
 /// The parts that mates connect to a part, over others, and the part itself.
-pub(crate) fn reached<'a>(facts: &'a Facts, from: &'a str) -> BTreeSet<&'a str> {
+pub(crate) fn reached<'a>(facts: &'a Indexed, from: &'a str) -> BTreeSet<&'a str> {
     let mut reached = BTreeSet::from([from]);
-    // As often as there are parts at most: each round reaches one more, or is the last.
-    loop {
-        let before = reached.len();
-        for m in &facts.mates {
-            let (b, c) = (m.base.part.as_str(), m.incoming.part.as_str());
-            if reached.contains(b) || reached.contains(c) {
-                reached.extend([b, c]);
+    let mut open = vec![from];
+    while let Some(part) = open.pop() {
+        for m in facts.mates_of(part) {
+            for end in [m.base.part.as_str(), m.incoming.part.as_str()] {
+                if reached.insert(end) {
+                    open.push(end);
+                }
             }
         }
-        if reached.len() == before {
-            return reached;
-        }
     }
+    reached
 }

@@ -100,7 +100,8 @@ pub struct Stop {
     pub part: String,
     /// The part that is in its way.
     pub by: String,
-    /// How far it can go, in mm.
+    /// How far it can go, in mm; at least, where it is more than the end play that counts; 0 where only the ways
+    /// are asked for.
     pub play_mm: f64,
 }
 

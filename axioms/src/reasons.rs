@@ -4,7 +4,8 @@ use std::collections::BTreeSet;
 
 use crate::asked::turns;
 use crate::class::Class;
-use crate::facts::{Facts, MateFacts, PartFacts};
+use crate::facts::{MateFacts, PartFacts};
+use crate::indexed::Indexed;
 use crate::joints::{is_cylinder, is_hole};
 
 /// A mate that may take freedoms again, and why.
@@ -19,7 +20,7 @@ pub struct Reason<'a> {
 /// The mates that repeat what others hold because a recognised pattern wants it, in the order of the
 /// specification. Without them the rest has to take every freedom once.
 #[must_use]
-pub fn reasons(facts: &Facts) -> Vec<Reason<'_>> {
+pub fn reasons(facts: &Indexed) -> Vec<Reason<'_>> {
     let by = |mate: &'_ MateFacts| fastened(facts, mate).or_else(|| carried_again(facts, mate));
     let one = |mate| by(mate).map(|why| (mate, why));
     facts
@@ -34,7 +35,7 @@ pub fn reasons(facts: &Facts) -> Vec<Reason<'_>> {
 }
 
 /// A fastener that joins two parts or more holds them together beside whatever locates them.
-fn fastened(facts: &Facts, mate: &MateFacts) -> Option<String> {
+fn fastened(facts: &Indexed, mate: &MateFacts) -> Option<String> {
     let ends = [&mate.base.part, &mate.incoming.part];
     let fastener = ends.into_iter().find(|id| {
         let fastens = |p: &PartFacts| p.class().is_fastener();
@@ -44,7 +45,7 @@ fn fastened(facts: &Facts, mate: &MateFacts) -> Option<String> {
 }
 
 /// A rotating part or a hinge's pin is carried at two places at least; the first of them is no repetition.
-fn carried_again(facts: &Facts, mate: &MateFacts) -> Option<String> {
+fn carried_again(facts: &Indexed, mate: &MateFacts) -> Option<String> {
     let ends = [&mate.base.part, &mate.incoming.part];
     ends.into_iter().find_map(|id| {
         let part = facts.part(id)?;
@@ -77,6 +78,7 @@ mod tests {
     use super::reasons;
     use crate::checks;
     use crate::facts::{Facts, Mobility, Redundant};
+    use crate::indexed::Indexed;
     use crate::ruling::{Ruling, Status};
     use serde_json::{Value, json};
 
@@ -142,13 +144,15 @@ mod tests {
     #[test]
     fn the_second_place_of_a_shaft_and_what_a_fastener_joins() {
         let facts = stand();
-        let told: Vec<&str> = reasons(&facts).iter().map(|r| r.mate).collect();
-        assert_eq!(told, ["in_right", "bolt"]);
+        let told = |facts: &Facts| -> Vec<String> {
+            let facts = Indexed::new(facts.clone());
+            reasons(&facts).iter().map(|r| r.mate.to_owned()).collect()
+        };
+        assert_eq!(told(&facts), ["in_right", "bolt"]);
         // Both of them in one block are one place.
         let mut one = facts.clone();
         one.mates[3].base.part = "left".to_owned();
-        let told: Vec<&str> = reasons(&one).iter().map(|r| r.mate).collect();
-        assert_eq!(told, ["bolt"]);
+        assert_eq!(told(&one), ["bolt"]);
     }
 
     #[test]

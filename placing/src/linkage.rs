@@ -71,10 +71,7 @@ fn frame_fault(mate: &str, why: &str) -> Diagnostic {
 fn with_islands(resolved: &Resolved, placements: &Placements) -> Result<Placements, Diagnostic> {
     let mut out = placements.clone();
     while let Some(first) = out.parts.iter().position(Option::is_none) {
-        let island = place::assembly(&Resolved {
-            root: Some(first),
-            ..resolved.clone()
-        })?;
+        let island = place::from(resolved, Some(first))?;
         for (slot, found) in out.parts.iter_mut().zip(island.parts) {
             *slot = slot.or(found);
         }

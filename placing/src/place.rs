@@ -1,5 +1,7 @@
 //! Placement: from the root along the mates, each part by the first mate that reaches it.
 
+use std::collections::BTreeSet;
+
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::frame::{FrameError, Placement};
 use assemcad_model::mates::Residual;
@@ -23,37 +25,61 @@ pub struct Placements {
 /// # Errors
 /// When a port's frame is none: a fault of its factory.
 pub fn assembly(resolved: &Resolved) -> Result<Placements, Diagnostic> {
+    from(resolved, resolved.root)
+}
+
+/// The same from another part, which stands in the world's origin.
+pub(crate) fn from(resolved: &Resolved, root: Option<usize>) -> Result<Placements, Diagnostic> {
     let n = resolved.parts.len();
     let mut placements = Placements {
         parts: vec![None; n],
         placed_by: vec![None; n],
     };
-    if let Some(slot) = resolved
-        .root
-        .and_then(|root| placements.parts.get_mut(root))
-    {
+    let mut of: Vec<Vec<usize>> = vec![Vec::new(); n];
+    for (i, m) in resolved.mates.iter().enumerate() {
+        for part in [m.base, m.incoming] {
+            if let Some(list) = of.get_mut(part) {
+                list.push(i);
+            }
+        }
+    }
+    let of = |part: usize| of.get(part).into_iter().flatten().copied();
+    // The mates of placed parts: those whose turn comes yet in this round, and those of the next one.
+    let (mut now, mut later) = (BTreeSet::new(), BTreeSet::new());
+    if let Some((slot, root)) = root.and_then(|r| Some((placements.parts.get_mut(r)?, r))) {
         *slot = Some(Placement::IDENTITY);
+        now.extend(of(root));
     }
     loop {
-        let mut progress = false;
-        for (i, m) in resolved.mates.iter().enumerate() {
-            let at = |part: usize| placements.parts.get(part).copied().flatten();
-            let (reached, placement) = match (at(m.base), at(m.incoming)) {
-                (Some(base), None) => (m.incoming, place_incoming(m, &base)),
-                (None, Some(incoming)) => (m.base, place_base(m, &incoming)),
-                _ => continue,
-            };
-            let placement = placement.map_err(|e| frame_fault(m, e))?;
-            if let Some(slot) = placements.parts.get_mut(reached) {
-                *slot = Some(placement);
+        let Some(i) = now.pop_first() else {
+            if later.is_empty() {
+                return Ok(placements);
             }
-            if let Some(slot) = placements.placed_by.get_mut(reached) {
-                *slot = Some(i);
-            }
-            progress = true;
+            now = core::mem::take(&mut later);
+            continue;
+        };
+        let Some(m) = resolved.mates.get(i) else {
+            continue;
+        };
+        let at = |part: usize| placements.parts.get(part).copied().flatten();
+        let (reached, placement) = match (at(m.base), at(m.incoming)) {
+            (Some(base), None) => (m.incoming, place_incoming(m, &base)),
+            (None, Some(incoming)) => (m.base, place_base(m, &incoming)),
+            _ => continue,
+        };
+        let placement = placement.map_err(|e| frame_fault(m, e))?;
+        if let Some(slot) = placements.parts.get_mut(reached) {
+            *slot = Some(placement);
         }
-        if !progress {
-            return Ok(placements);
+        if let Some(slot) = placements.placed_by.get_mut(reached) {
+            *slot = Some(i);
+        }
+        for k in of(reached) {
+            if k > i {
+                now.insert(k);
+            } else {
+                later.insert(k);
+            }
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Parts and mates all of whose names were found.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use assemcad_factories::failure::failed_in;
@@ -120,6 +121,17 @@ impl Resolved {
             .unwrap_or_default()
     }
 
+    /// The mates between each two parts, by their indices, the earlier part first.
+    #[must_use]
+    pub fn mates_by_pair(&self) -> BTreeMap<(usize, usize), Vec<&ResolvedMate>> {
+        let mut out: BTreeMap<(usize, usize), Vec<&ResolvedMate>> = BTreeMap::new();
+        for m in &self.mates {
+            let pair = (m.base.min(m.incoming), m.base.max(m.incoming));
+            out.entry(pair).or_default().push(m);
+        }
+        out
+    }
+
     /// The mates that join two parts.
     pub fn between(&self, i: usize, j: usize) -> impl Iterator<Item = &ResolvedMate> {
         self.mates.iter().filter(move |m| m.joins(i, j))
@@ -135,7 +147,21 @@ pub fn port<'a>(
     end: &End,
     place: &str,
 ) -> Result<(usize, &'a Port), Diagnostic> {
-    let Some((i, part)) = parts.iter().enumerate().find(|(_, p)| p.id == end.part) else {
+    let index = |id: &str| parts.iter().position(|p| p.id == id);
+    port_among(parts, &index, end, place)
+}
+
+/// The same where the index of a part's name is known.
+///
+/// # Errors
+/// As [`port`].
+pub fn port_among<'a>(
+    parts: &'a [ResolvedPart],
+    named: &dyn Fn(&str) -> Option<usize>,
+    end: &End,
+    place: &str,
+) -> Result<(usize, &'a Port), Diagnostic> {
+    let Some((i, part)) = named(&end.part).and_then(|i| Some((i, parts.get(i)?))) else {
         return Err(part_unknown(parts, &end.part, place));
     };
     if let Some(port) = part.ports().iter().find(|p| p.name == end.port) {

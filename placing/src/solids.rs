@@ -136,6 +136,43 @@ pub fn reported((min, max): &Box3) -> [[f64; 3]; 2] {
     [min.map(rounded), max.map(rounded)]
 }
 
+/// The pairs of boxes that are not further apart than the margin, in order. Swept along the axis along which they
+/// are spread the most.
+#[must_use]
+pub fn near_pairs(boxes: &[Option<Box3>], margin_mm: f64) -> Vec<(usize, usize)> {
+    let known = boxes.iter().enumerate();
+    let known = known.filter_map(|(i, b)| Some((i, b.as_ref()?)));
+    let number = |(_, b): &(usize, &Box3)| b.0.iter().chain(&b.1).all(|x| x.is_finite());
+    // A box that is no number is apart from nothing, and has no place in a row.
+    let (mut row, odd): (Vec<_>, Vec<_>) = known.partition(number);
+    let at = |p: &[f64; 3], axis: usize| p.get(axis).copied().unwrap_or_default();
+    let spread = |axis: usize| {
+        let lows = row.iter().map(|(_, b)| at(&b.0, axis));
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = lows.fold(ends, |(l, h), x| (l.min(x), h.max(x)));
+        high - low
+    };
+    let axis = (0..3).fold(0, |a, b| if spread(b) > spread(a) { b } else { a });
+    row.sort_by(|(i, a), (j, b)| {
+        let order = at(&a.0, axis).total_cmp(&at(&b.0, axis));
+        order.then(i.cmp(j))
+    });
+    let mut out = Vec::new();
+    for (n, (i, a)) in row.iter().enumerate() {
+        let beside = row.iter().skip(n + 1);
+        let beside = beside.take_while(|(_, b)| at(&b.0, axis) <= at(&a.1, axis) + margin_mm);
+        let near = beside.filter(|(_, b)| !apart(a, b, margin_mm));
+        out.extend(near.map(|(j, _)| (*i.min(j), *i.max(j))));
+    }
+    for (n, (i, a)) in odd.iter().enumerate() {
+        let others = row.iter().chain(odd.iter().skip(n + 1));
+        let near = others.filter(|(_, b)| !apart(a, b, margin_mm));
+        out.extend(near.map(|(j, _)| (*i.min(j), *i.max(j))));
+    }
+    out.sort_unstable();
+    out
+}
+
 /// Whether two boxes are further apart than the margin.
 #[must_use]
 pub fn apart((a_min, a_max): &Box3, (b_min, b_max): &Box3, margin_mm: f64) -> bool {
@@ -158,5 +195,44 @@ mod tests {
         assert!(apart(&([0.0, 0.0, 1.01], [1.0, 1.0, 2.0]), &a));
         // A box that is no number is apart from nothing.
         assert!(!apart(&([f64::NAN; 3], [f64::NAN; 3]), &a));
+    }
+
+    /// Boxes in a row, in a plane and all about: what a sweep finds is what all pairs have.
+    #[test]
+    fn a_sweep_finds_the_pairs_that_are_near() {
+        let mut at = 0.37_f64;
+        let mut next = || {
+            at = (at * 997.0 + 0.123).fract();
+            at
+        };
+        for [x, y, z] in [[90.0, 1.0, 1.0], [1.0, 30.0, 30.0], [9.0, 9.0, 9.0]] {
+            let boxes: Vec<Option<([f64; 3], [f64; 3])>> = (0..120)
+                .map(|i| {
+                    let low = [x * next(), y * next(), z * next()];
+                    let size = [next(), 2.0 * next(), next()];
+                    let high = core::array::from_fn(|k| low[k] + size[k]);
+                    let low = if i == 50 || i == 70 {
+                        [f64::NAN, low[1], f64::NAN]
+                    } else {
+                        low
+                    };
+                    (i % 11 != 0).then_some((low, high))
+                })
+                .collect();
+            for margin in [0.0, 0.5] {
+                let mut wanted = Vec::new();
+                for (i, a) in boxes.iter().enumerate() {
+                    for (j, b) in boxes.iter().enumerate().skip(i + 1) {
+                        if let (Some(a), Some(b)) = (a, b)
+                            && !super::apart(a, b, margin)
+                        {
+                            wanted.push((i, j));
+                        }
+                    }
+                }
+                assert!(wanted.len() > 5);
+                assert_eq!(super::near_pairs(&boxes, margin), wanted);
+            }
+        }
     }
 }

@@ -149,7 +149,15 @@ impl Offer {
             return Err(vec![arguments::unreadable(self.name)]);
         };
         arguments::check(validator, &self.input_schema, &given)?;
-        (self.handler)(workshop, given, writer).await
+        let done = (self.handler)(workshop, given, writer).await;
+        let counts = workshop.door.counts();
+        tracing::info!(
+            "geometry: asked={} computed={} kernel_calls={}",
+            counts.asked,
+            counts.computed,
+            counts.kernel_calls
+        );
+        done
     }
 }
 

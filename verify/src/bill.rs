@@ -1,10 +1,12 @@
 //! Mass and bill of materials.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use assemcad_model::canonical;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{BillLine, Mass, PartFacts, STEEL_KG_M3, rounded};
-use assemcad_placing::{Assembled, Resolved};
-use serde_json::{Map, Value};
+use assemcad_placing::{Assembled, Made, Resolved};
 
 /// What the parts weigh, alone and together. The mass of each is noted in its facts.
 pub(crate) fn mass(
@@ -42,33 +44,43 @@ pub(crate) fn mass(
 /// The parts, equal ones together, in the order in which they first appear.
 pub(crate) fn lines(resolved: &Resolved, facts: &[PartFacts]) -> Result<Vec<BillLine>, Diagnostic> {
     let mut lines: Vec<BillLine> = Vec::new();
+    // The line of each factory, recipe and parameters; and of parts that were made as one.
+    let mut by_content: BTreeMap<(&str, String, Vec<u8>), usize> = BTreeMap::new();
+    let mut by_made: BTreeMap<(&str, *const Made), usize> = BTreeMap::new();
     for (part, fact) in resolved.parts.iter().zip(facts) {
-        let recipe_sha256 = part.made.solid.hash();
-        let params = written(&part.made.params)
-            .map_err(|e| Diagnostic::error(Code::Internal, &part.id, e.to_string()))?;
-        let same = |l: &&mut BillLine| {
-            l.factory == part.factory && l.recipe_sha256 == recipe_sha256 && l.params == params
+        let as_one = (part.factory.as_str(), Arc::as_ptr(&part.made));
+        let known = by_made.get(&as_one).copied();
+        let at = match known {
+            Some(at) => at,
+            None => {
+                let internal = |e: String| Diagnostic::error(Code::Internal, &part.id, e);
+                let hash = part.made.solid.hash().to_owned();
+                let params = canonical::to_bytes(&part.made.params);
+                let params = params.map_err(|e| internal(e.to_string()))?;
+                let key = (part.factory.as_str(), hash.clone(), params.clone());
+                let at = *by_content.entry(key).or_insert(lines.len());
+                if at == lines.len() {
+                    // In the one form that equal ones have: 8, 8.0 and 8e0 are the same number, and a
+                    // specification may have them in any order.
+                    let params = serde_json::from_slice(&params);
+                    lines.push(BillLine {
+                        count: 0,
+                        designation: part.made.designation.clone(),
+                        factory: part.factory.clone(),
+                        params: params.map_err(|e| internal(e.to_string()))?,
+                        recipe_sha256: hash,
+                        mass_kg: fact.mass_kg,
+                        parts: Vec::new(),
+                    });
+                }
+                by_made.insert(as_one, at);
+                at
+            }
         };
-        if let Some(line) = lines.iter_mut().find(same) {
+        if let Some(line) = lines.get_mut(at) {
             line.count += 1;
             line.parts.push(part.id.clone());
-            continue;
         }
-        lines.push(BillLine {
-            count: 1,
-            designation: part.made.designation.clone(),
-            factory: part.factory.clone(),
-            params,
-            recipe_sha256: recipe_sha256.to_owned(),
-            mass_kg: fact.mass_kg,
-            parts: vec![part.id.clone()],
-        });
     }
     Ok(lines)
-}
-
-/// Parameters in the one form that equal ones have: 8, 8.0 and 8e0 are the same number, and a specification
-/// may have them in any order.
-fn written(params: &Map<String, Value>) -> Result<Map<String, Value>, serde_json::Error> {
-    serde_json::from_slice(&canonical::to_bytes(params)?)
 }

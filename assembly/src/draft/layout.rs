@@ -1,24 +1,34 @@
 //! What can be wrong with a draft as a whole: where its parts land, and what holds them.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::frame::{Placement, Rows};
 use assemcad_model::mates::MateType;
 use assemcad_model::param::clip;
 use assemcad_model::ports::{Port, PortType};
-use assemcad_model::spec::Mate;
+use assemcad_model::spec::{End, Mate};
 use assemcad_placing::{Resolved, ResolvedMate, ResolvedPart, place};
 use assemcad_store::draft::{Draft, Loose};
 
 /// Parts that no chain of mates joins to the root.
 pub(super) fn unreached(draft: &Draft, root: Option<usize>, found: &mut Vec<Diagnostic>) {
     let Some(root) = root else { return };
-    let index = |id: &String| draft.parts.iter().position(|p| p.id.as_ref() == Some(id));
+    let index = by_id(draft);
+    let index = |id: &String| index.get(id.as_str()).copied();
     let mut reached = vec![false; draft.parts.len()];
-    let mut edges = Vec::new();
+    let mut edges: Vec<Vec<usize>> = vec![Vec::new(); draft.parts.len()];
     let mut reach = vec![root];
     for mate in &draft.mates {
         let ends: Vec<usize> = mate.joins.iter().filter_map(index).collect();
         match ends.as_slice() {
-            [a, b] => edges.push((*a, *b)),
+            [a, b] => {
+                for (one, other) in [(a, b), (b, a)] {
+                    if let Some(list) = edges.get_mut(*one) {
+                        list.push(*other);
+                    }
+                }
+            }
             // Its other end is told as a fault; mended, it may well lead to the root.
             [one] => reach.push(*one),
             _ => {}
@@ -29,13 +39,7 @@ pub(super) fn unreached(draft: &Draft, root: Option<usize>, found: &mut Vec<Diag
             Some(seen) if !*seen => *seen = true,
             _ => continue,
         }
-        for (a, b) in &edges {
-            if *a == part {
-                reach.push(*b);
-            } else if *b == part {
-                reach.push(*a);
-            }
-        }
+        reach.extend(edges.get(part).into_iter().flatten());
     }
     let name = |i: usize| draft.parts.get(i).and_then(|p| p.id.as_deref());
     for (i, _) in reached.iter().enumerate().filter(|(_, seen)| !**seen) {
@@ -74,20 +78,27 @@ pub(super) fn coincident(
         let mate = placed.placed_by.get(part).copied().flatten()?;
         resolved.mates.get(mate).map(|m| (mate, m))
     };
+    // The parts so far by where they are, and by the face that they were brought to.
+    let mut there: BTreeMap<[u64; 12], Vec<usize>> = BTreeMap::new();
+    let mut on_face: BTreeMap<(bool, String), Vec<usize>> = BTreeMap::new();
     for (j, (_, second)) in parts.iter().enumerate() {
         let Some((mate, m)) = by(j) else { continue };
-        let twin = parts
-            .iter()
-            .enumerate()
-            .take(j)
-            .find_map(|(i, (_, first))| {
-                let (_, n) = by(i)?;
-                let same = first.made.solid == second.made.solid;
-                match (placed.of(i), placed.of(j)) {
-                    (Some(a), Some(b)) if same && a == b => Some((first, true)),
-                    _ => (faces_meet(n, m) && shared(n, i, m, j)).then_some((first, false)),
-                }
-            });
+        let place = there.entry(placed.of(j).as_ref().map(bits).unwrap_or_default());
+        let place = place.or_default();
+        let face = on_face.entry((m.base == j, beyond(m, j).to_string()));
+        let face = face.or_default();
+        let before: BTreeSet<usize> = place.iter().chain(face.iter()).copied().collect();
+        place.push(j);
+        face.push(j);
+        let twin = before.into_iter().find_map(|i| {
+            let (_, n) = by(i)?;
+            let (_, first) = parts.get(i)?;
+            let same = || first.made.solid == second.made.solid;
+            match (placed.of(i), placed.of(j)) {
+                (Some(a), Some(b)) if a == b && same() => Some((first, true)),
+                _ => (faces_meet(n, m) && shared(n, i, m, j)).then_some((first, false)),
+            }
+        });
         let Some((first, sure)) = twin else { continue };
         let index = mates.get(mate).map(|(i, _)| *i).unwrap_or_default();
         let place = draft.place(&format!("mates[{index}]"));
@@ -118,14 +129,26 @@ pub(super) fn unsupported(
     root: Option<usize>,
     found: &mut Vec<Diagnostic>,
 ) {
+    let mut resolved: BTreeMap<usize, &ResolvedMate> = BTreeMap::new();
+    for (k, r) in mates {
+        resolved.entry(*k).or_insert(r);
+    }
+    let mut joining: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for (n, m) in draft.mates.iter().enumerate() {
+        for part in &m.joins {
+            let list = joining.entry(part).or_default();
+            if list.last() != Some(&n) {
+                list.push(n);
+            }
+        }
+    }
     for (i, part) in draft.parts.iter().enumerate() {
         let Some(id) = part.id.as_ref().filter(|_| Some(i) != root) else {
             continue;
         };
-        let of = draft.mates.iter().enumerate();
+        let of = joining.get(id.as_str()).into_iter().flatten();
         let of: Vec<Hold> = of
-            .filter(|(_, m)| m.joins.contains(id))
-            .map(|(n, m)| hold(m, mates.iter().find(|(k, _)| *k == n).map(|(_, r)| r)))
+            .filter_map(|n| Some(hold(draft.mates.get(*n)?, resolved.get(n).copied())))
             .collect();
         if of.is_empty() || of.contains(&Hold::Held) {
             continue;
@@ -180,13 +203,37 @@ fn faces_meet(n: &ResolvedMate, m: &ResolvedMate) -> bool {
 
 /// Whether two mates bring their parts (by index) to the same port of the same part.
 fn shared(n: &ResolvedMate, i: usize, m: &ResolvedMate, j: usize) -> bool {
-    let other = |m: &ResolvedMate, part: usize| {
-        if m.base == part {
-            m.mate.incoming.clone()
-        } else {
-            m.mate.base.clone()
-        }
-    };
     let side = (n.base == i) == (m.base == j);
-    side && other(n, i) == other(m, j)
+    side && beyond(n, i) == beyond(m, j)
+}
+
+/// The end of a mate that is not on a part (by index).
+fn beyond(m: &ResolvedMate, part: usize) -> &End {
+    if m.base == part {
+        &m.mate.incoming
+    } else {
+        &m.mate.base
+    }
+}
+
+/// The numbers of a placement: equal ones have equal bits.
+fn bits(at: &Placement) -> [u64; 12] {
+    let rows = Rows::from(*at).0;
+    let mut out = [0; 12];
+    // A zero is one, whatever its sign.
+    for (slot, x) in out.iter_mut().zip(rows.iter().flatten()) {
+        *slot = (x + 0.0).to_bits();
+    }
+    out
+}
+
+/// The places of the draft's parts; of two of one name the first is meant.
+fn by_id(draft: &Draft) -> BTreeMap<&str, usize> {
+    let mut out = BTreeMap::new();
+    for (i, p) in draft.parts.iter().enumerate() {
+        if let Some(id) = &p.id {
+            out.entry(id.as_str()).or_insert(i);
+        }
+    }
+    out
 }

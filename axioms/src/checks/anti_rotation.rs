@@ -1,12 +1,14 @@
 //! T-09: one screw is a pivot.
 
+use assemcad_model::frame::Placement;
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::{Facts, MateFacts, PartFacts, Side};
+use crate::facts::{MateFacts, PartFacts};
 use crate::geometry::collinear;
+use crate::indexed::Indexed;
 use crate::joints::about_part;
 use crate::ruling::Ruling;
 
@@ -22,7 +24,7 @@ impl Check for AntiRotation {
         "T-09"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for part in &facts.parts {
             let flat = matches!(
@@ -45,8 +47,10 @@ fn is_axis(t: PortType) -> bool {
     )
 }
 
-fn held(axiom: &str, facts: &Facts, part: &PartFacts) -> Option<Ruling> {
-    let mut axes: Vec<Side<'_>> = Vec::new();
+fn held(axiom: &str, facts: &Indexed, part: &PartFacts) -> Option<Ruling> {
+    // The axes seen from outside, as inverse frames; those without a place are each one of their own.
+    let mut axes = 0;
+    let mut known: Vec<Placement> = Vec::new();
     let mut mates: Vec<&MateFacts> = Vec::new();
     let mut screwed = false;
     for mate in facts.mates_of(&part.id) {
@@ -60,11 +64,11 @@ fn held(axiom: &str, facts: &Facts, part: &PartFacts) -> Option<Ruling> {
         }
         screwed |= other.part.class().is_fastener();
         mates.push(mate);
-        let known = axes
-            .iter()
-            .any(|a| a.sees(&own).is_some_and(|s| collinear(&s)));
-        if !known {
-            axes.push(own);
+        let at = own.world();
+        let same = |own: Placement| known.iter().any(|a| collinear(&(*a * own)));
+        if !at.is_some_and(same) {
+            axes += 1;
+            known.extend(at.map(|at| at.inverse()));
         }
     }
     if !screwed {
@@ -73,11 +77,11 @@ fn held(axiom: &str, facts: &Facts, part: &PartFacts) -> Option<Ruling> {
     if part.placement.is_none() {
         return Some(Ruling::unplaced(axiom, about_part(part, mates)));
     }
-    let n = axes.len();
+    let n = axes;
     let message = if n > 1 {
         format!("'{}' is held at {n} axes", part.id)
     } else {
         format!("'{}' can turn about its only fastener", part.id)
     };
-    Some(Ruling::held(axiom, n > 1, about_part(part, mates), message).value("axes", n as f64))
+    Some(Ruling::held(axiom, n > 1, about_part(part, mates), message).value("axes", f64::from(n)))
 }

@@ -2,7 +2,8 @@
 
 use super::Check;
 use crate::apart::{groups, locked};
-use crate::facts::{Facts, Ways};
+use crate::facts::Ways;
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling, Status};
 use assemcad_model::ports::PortType;
 
@@ -18,7 +19,7 @@ impl Check for AssemblyOrder {
         "S-01"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         // What has no place is another check's, and a part alone needs no order.
         let placed: Vec<String> = facts
             .parts
@@ -68,7 +69,7 @@ impl Check for AssemblyOrder {
 impl AssemblyOrder {
     /// Two parts that hold each other are locked in; of more parts together it is not certain, since ways with
     /// turns and corners are not looked for, and snap hooks give way.
-    fn stuck(&self, facts: &Facts, ways: &Ways, group: &[String]) -> Ruling {
+    fn stuck(&self, facts: &Indexed, ways: &Ways, group: &[String]) -> Ruling {
         let names = group
             .iter()
             .map(|p| format!("'{p}'"))

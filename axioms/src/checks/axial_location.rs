@@ -1,19 +1,17 @@
 //! B-03: a shaft is held along its axis both ways.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Check;
-use crate::asked::{Carried, shafts_in_bearings};
-use crate::facts::{Facts, Stop};
+use crate::asked::{Carried, END_PLAY_MM, shafts_in_bearings};
+use crate::facts::{MateFacts, Stop, Thrust};
+use crate::indexed::Indexed;
 use crate::joints::about_part;
 use crate::ruling::{Ruling, Status};
 use assemcad_model::mates::MateType;
 
 /// Along its axis, either way, a shaft meets something that is held, within the end play.
 pub struct AxialLocation;
-
-/// The most end play at one stop, in mm. Ours: more is no location but a catch.
-const PLAY_MM: f64 = 1.0;
 
 impl Check for AxialLocation {
     fn id(&self) -> &'static str {
@@ -24,13 +22,16 @@ impl Check for AxialLocation {
         "B-03"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
-        let thrusts = facts.measured.thrusts.as_deref().unwrap_or_default();
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
+        let mut thrusts: BTreeMap<&str, &Thrust> = BTreeMap::new();
+        for t in facts.measured.thrusts.iter().flatten() {
+            thrusts.entry(&t.shaft).or_insert(t);
+        }
         shafts_in_bearings(facts)
             .into_iter()
             .map(|carried| {
                 let shaft = &carried.shaft.part.id;
-                let stops = thrusts.iter().find(|t| t.shaft == *shaft);
+                let stops = thrusts.get(shaft.as_str());
                 match stops.and_then(|t| t.stops.as_deref()) {
                     Some(stops) => self.held(facts, &carried, stops),
                     None => {
@@ -46,7 +47,7 @@ impl Check for AxialLocation {
 }
 
 impl AxialLocation {
-    fn held(&self, facts: &Facts, carried: &Carried<'_>, stops: &[Stop]) -> Ruling {
+    fn held(&self, facts: &Indexed, carried: &Carried<'_>, stops: &[Stop]) -> Ruling {
         let shaft = carried.shaft.part.id.as_str();
         let ways = [("along its axis", true), ("against its axis", false)];
         let free: Vec<&str> = ways
@@ -59,7 +60,7 @@ impl AxialLocation {
         } else {
             format!(
                 "'{shaft}' can creep out {}: no shoulder, ring or press fit that is held itself stops it \
-                 within {PLAY_MM} mm",
+                 within {END_PLAY_MM} mm",
                 free.join(" and ")
             )
         };
@@ -80,30 +81,29 @@ impl AxialLocation {
 
 /// The parts that cannot move one way along the axis: the ground, what is joined to such a part other than by
 /// a side fit, and what meets such a part.
-fn held_parts<'a>(facts: &'a Facts, stops: &'a [Stop], along: bool) -> BTreeSet<&'a str> {
+fn held_parts<'a>(facts: &'a Indexed, stops: &'a [Stop], along: bool) -> BTreeSet<&'a str> {
+    let mut stopped: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for s in stops.iter().filter(|s| s.play_mm <= END_PLAY_MM) {
+        // What stops a part one way is stopped by it the other way.
+        let (part, by) = if along {
+            (s.part.as_str(), s.by.as_str())
+        } else {
+            (s.by.as_str(), s.part.as_str())
+        };
+        stopped.entry(by).or_default().push(part);
+    }
     let mut held: BTreeSet<&str> = facts.root().into_iter().collect();
-    loop {
-        let before = held.len();
-        for m in &facts.mates {
-            let joins = !matches!(m.mate_type, MateType::Coaxial | MateType::GearMesh);
-            let (b, c) = (m.base.part.as_str(), m.incoming.part.as_str());
-            if joins && (held.contains(b) || held.contains(c)) {
-                held.extend([b, c]);
+    let mut open: Vec<&str> = held.iter().copied().collect();
+    while let Some(part) = open.pop() {
+        let joins = |m: &&MateFacts| !matches!(m.mate_type, MateType::Coaxial | MateType::GearMesh);
+        let mates = facts.mates_of(part).filter(joins);
+        let ends = mates.flat_map(|m| [m.base.part.as_str(), m.incoming.part.as_str()]);
+        let met = stopped.get(part).into_iter().flatten().copied();
+        for next in ends.chain(met) {
+            if held.insert(next) {
+                open.push(next);
             }
-        }
-        for s in stops.iter().filter(|s| s.play_mm <= PLAY_MM) {
-            // What stops a part one way is stopped by it the other way.
-            let (part, by) = if along {
-                (s.part.as_str(), s.by.as_str())
-            } else {
-                (s.by.as_str(), s.part.as_str())
-            };
-            if held.contains(by) {
-                held.insert(part);
-            }
-        }
-        if held.len() == before {
-            return held;
         }
     }
+    held
 }

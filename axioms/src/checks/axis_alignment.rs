@@ -1,8 +1,8 @@
 //! C-02: axis on axis.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg, off_axis_mm};
+use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
@@ -35,7 +35,7 @@ impl Check for AxisAlignment {
         "C-02"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in facts
             .mates

@@ -1,8 +1,8 @@
 //! G-08: backlash.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::gearing::pairs;
+use crate::indexed::Indexed;
 use crate::ruling::{Ruling, Status};
 
 /// Some play between the free flanks, and not too much of it.
@@ -23,7 +23,7 @@ impl Check for Backlash {
         "G-08"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             if p.seen.is_none() {

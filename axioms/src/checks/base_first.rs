@@ -1,7 +1,7 @@
 //! S-03: the base comes first.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::{about, reached};
 use crate::ruling::{About, Ruling};
 use std::collections::BTreeSet;
@@ -18,7 +18,7 @@ impl Check for BaseFirst {
         "S-03"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let (Some(root), Some(first)) = (facts.root(), facts.parts.first()) else {
             return Vec::new();
         };

@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::screwed;
 use crate::ruling::Ruling;
 
@@ -18,7 +18,7 @@ impl Check for BoltLength {
         "T-05"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for s in screwed(facts) {
             if s.hole.part.class() != Class::Nut || s.mate.flag("free") {

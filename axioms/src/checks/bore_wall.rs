@@ -1,8 +1,11 @@
 //! N-02: wall around a bore.
 
+use std::collections::BTreeMap;
+
 use super::Check;
 use crate::asked::bores;
-use crate::facts::Facts;
+use crate::facts::Wall;
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling, Status};
 
 /// The wall of a bore is a tenth of its diameter at least, wherever the bore has a wall.
@@ -21,14 +24,17 @@ impl Check for BoreWall {
         "N-02"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
-        let walls = facts.measured.walls.as_deref().unwrap_or_default();
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
+        let mut walls: BTreeMap<(&str, &str), &Wall> = BTreeMap::new();
+        for w in facts.measured.walls.iter().flatten() {
+            walls.entry((&w.part, &w.port)).or_insert(w);
+        }
         bores(facts)
             .into_iter()
             .map(|bore| {
                 let (part, port) = (&bore.hole.part.id, &bore.hole.port.name);
                 let about = About::parts([part]);
-                let wall = walls.iter().find(|w| w.part == *part && w.port == *port);
+                let wall = walls.get(&(part.as_str(), port.as_str()));
                 let Some((wall, least)) = wall.and_then(|w| Some((w, w.least_mm?))) else {
                     let message = format!("the wall around '{port}' of '{part}' was not measured");
                     return Ruling::new(self.axiom(), Status::Indeterminate, about, message);

@@ -2,8 +2,8 @@
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
 use crate::geometry::askew_deg;
+use crate::indexed::Indexed;
 use crate::joints::about_part;
 use crate::ruling::Ruling;
 
@@ -22,7 +22,7 @@ impl Check for BracketLegs {
         "N-06"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         // A part by itself is no assembly: there is nothing to join it to.
         if facts.parts.len() == 1 {
             return Vec::new();

@@ -1,9 +1,9 @@
 //! G-01: operating centre distance.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::gearing::pairs;
 use crate::geometry::NEAR_MM;
+use crate::indexed::Indexed;
 use crate::ruling::Ruling;
 use assemcad_model::angle::sin_cos_deg;
 
@@ -19,7 +19,7 @@ impl Check for CentreDistance {
         "G-01"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             if p.seen.is_none() {

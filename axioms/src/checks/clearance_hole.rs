@@ -1,7 +1,7 @@
 //! T-06: clearance holes suit their bolts.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::{about, ends};
 use crate::ruling::{About, Ruling, Status};
 use crate::tables::clearance;
@@ -22,7 +22,7 @@ impl Check for ClearanceHole {
         "T-06"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for part in &facts.parts {
             for port in part

@@ -1,7 +1,7 @@
 //! F-05: what is seated touches.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::ruling::{Ruling, Status};
 
@@ -17,10 +17,10 @@ impl Check for ContactAtSeat {
         "F-05"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for c in facts.measured.contacts.iter().flatten() {
-            let Some(m) = facts.mates.iter().find(|m| m.id == c.mate) else {
+            let Some(m) = facts.mate(&c.mate) else {
                 continue;
             };
             let (status, what) = match c.touches {

@@ -1,8 +1,8 @@
 //! G-05: a tooth pair takes over before the last lets go.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::gearing::{BASIC_RACK, Pair, pairs};
+use crate::indexed::Indexed;
 use crate::ruling::Ruling;
 use assemcad_model::angle::sin_cos_deg;
 use core::f64::consts::PI;
@@ -40,7 +40,7 @@ impl Check for ContactRatio {
         "G-05"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             if p.seen.is_none() {

@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::of_class;
 use crate::ruling::{About, Ruling};
 use assemcad_model::ports::PortType;
@@ -22,7 +22,7 @@ impl Check for EdgeDistance {
         "N-03"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         // Plates only: the faces of other parts end at walls and circles too, which is not known here.
         for part in of_class(facts, Class::Plate) {

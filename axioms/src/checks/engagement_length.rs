@@ -2,8 +2,8 @@
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
 use crate::facts::{Material, PartFacts};
+use crate::indexed::Indexed;
 use crate::joints::screwed;
 use crate::ruling::Ruling;
 
@@ -38,7 +38,7 @@ impl Check for EngagementLength {
         "T-03"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for s in screwed(facts) {
             // A drive is sized for wear, not for the strength of its shank.

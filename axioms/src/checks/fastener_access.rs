@@ -1,8 +1,11 @@
 //! S-02: no fastener is buried.
 
+use std::collections::BTreeMap;
+
 use super::Check;
 use crate::asked::tools;
-use crate::facts::Facts;
+use crate::facts::Reach;
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling, Status};
 
 /// The cylinder of the tool, from the head outward along the axis, is free.
@@ -20,17 +23,20 @@ impl Check for FastenerAccess {
         "S-02"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         // A fastener by itself is no assembly.
         if facts.parts.len() == 1 {
             return Vec::new();
         }
-        let reaches = facts.measured.reaches.as_deref().unwrap_or_default();
+        let mut reaches: BTreeMap<&str, &Reach> = BTreeMap::new();
+        for r in facts.measured.reaches.iter().flatten() {
+            reaches.entry(&r.part).or_insert(r);
+        }
         tools(facts)
             .into_iter()
             .map(|tool| {
                 let id = &tool.fastener.id;
-                let reach = reaches.iter().find(|r| r.part == *id);
+                let reach = reaches.get(id.as_str());
                 let Some((reach, free)) = reach.and_then(|r| Some((r, r.free_mm?))) else {
                     let message = format!("whether a tool reaches '{id}' was not measured");
                     return Ruling::new(

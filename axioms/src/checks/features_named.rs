@@ -1,7 +1,7 @@
 //! F-03: connections are constraints between features.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::ruling::Ruling;
 
@@ -17,7 +17,7 @@ impl Check for FeaturesNamed {
         "F-03"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         facts
             .mates
             .iter()

@@ -5,7 +5,8 @@ use assemcad_model::ports::PortType;
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::{Facts, PartFacts};
+use crate::facts::PartFacts;
+use crate::indexed::Indexed;
 use crate::joints::{about_part, of_class};
 use crate::ruling::{Ruling, Status};
 
@@ -21,7 +22,7 @@ impl Check for FixedAndFloating {
         "B-04"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for shaft in of_class(facts, Class::Shaft) {
             let mut mates = Vec::new();
@@ -61,7 +62,7 @@ impl Check for FixedAndFloating {
 
 /// Whether a ring is held along its axis by mates: pressed on its seat, or with two faces on something. A
 /// face of a bearing is one of its outer ring.
-fn held(facts: &Facts, bearing: &PartFacts, ring: PortType) -> bool {
+fn held(facts: &Indexed, bearing: &PartFacts, ring: PortType) -> bool {
     let mut faces = 0;
     for m in facts.mates_of(&bearing.id) {
         let Some((own, _)) = facts.seen_from(&bearing.id, m) else {

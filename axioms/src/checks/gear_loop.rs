@@ -1,10 +1,10 @@
 //! K-04: closed chains of gears can turn.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::Check;
-use crate::facts::Facts;
 use crate::gearing::pairs;
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling};
 
 /// Around every ring of gears that mesh, the ratios agree in size and sense.
@@ -21,22 +21,31 @@ impl Check for GearLoop {
 
     /// Each gear gets its speed from the first one of its train; a pair that closes a ring must agree. The
     /// speeds are those against whatever carries the axes, be it a frame or a planet carrier.
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let pairs = pairs(facts);
         let mut speed: BTreeMap<&str, f64> = BTreeMap::new();
-        let mut open: Vec<usize> = (0..pairs.len()).collect();
+        let mut of: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+        for (i, p) in pairs.iter().enumerate() {
+            for gear in [&p.base.part.id, &p.incoming.part.id] {
+                of.entry(gear).or_default().push(i);
+            }
+        }
+        let mut open: BTreeSet<usize> = (0..pairs.len()).collect();
+        // Those of them of which one gear has its speed.
+        let mut near: BTreeSet<usize> = BTreeSet::new();
         let mut out = Vec::new();
-        while !open.is_empty() {
-            let known = |i: &usize| {
-                pairs.get(*i).is_some_and(|p| {
-                    speed.contains_key(p.base.part.id.as_str())
-                        || speed.contains_key(p.incoming.part.id.as_str())
-                })
-            };
-            let at = open.iter().position(known).unwrap_or(0);
-            let Some(p) = pairs.get(open.remove(at)) else {
+        while let Some(next) = near.first().or(open.first()).copied() {
+            open.remove(&next);
+            near.remove(&next);
+            let Some(p) = pairs.get(next) else {
                 continue;
             };
+            for gear in [p.base.part.id.as_str(), p.incoming.part.id.as_str()] {
+                if !speed.contains_key(gear) {
+                    let pairs = of.get(gear).into_iter().flatten();
+                    near.extend(pairs.filter(|i| open.contains(i)));
+                }
+            }
             // Outside the gears turn against each other, a ring and its pinion the same way.
             let sense = if p.inside() { 1.0 } else { -1.0 };
             let ratio = sense * p.a.teeth / p.b.teeth;

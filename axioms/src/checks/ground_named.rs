@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling};
 
 /// The root is a part of structure.
@@ -17,7 +17,7 @@ impl Check for GroundNamed {
         "F-02"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let Some(root) = facts.root() else {
             return Vec::new();
         };

@@ -1,8 +1,8 @@
 //! T-10: a head sits square on material.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::geometry::{NEAR_DEG, NEAR_MM, off_axis_mm, z_angle_deg};
+use crate::indexed::Indexed;
 use crate::joints::{about, ends};
 use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
@@ -20,7 +20,7 @@ impl Check for HeadSeat {
         "T-10"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for mate in &facts.mates {
             if mate.mate_type != MateType::CoaxialFace {

@@ -1,8 +1,8 @@
 //! G-03: helical gears on parallel axes have matching hands.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::gearing::pairs;
+use crate::indexed::Indexed;
 use crate::ruling::Ruling;
 
 /// Equal and opposite helix angles outside, equal ones where one gear is a ring.
@@ -17,7 +17,7 @@ impl Check for HelixHand {
         "G-03"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             if (p.a.straight() && p.b.straight()) || p.parallel() == Some(false) {

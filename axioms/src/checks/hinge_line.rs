@@ -1,9 +1,11 @@
 //! H-01: hinges of one leaf share one axis.
 
+use std::collections::BTreeMap;
+
 use super::Check;
-use crate::facts::Facts;
 use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg, off_axis_mm};
 use crate::hinges::hinges;
+use crate::indexed::Indexed;
 use crate::ruling::Ruling;
 
 /// The pins between the same leaves lie on one line.
@@ -18,11 +20,16 @@ impl Check for HingeLine {
         "H-01"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let all = hinges(facts);
+        let mut of: BTreeMap<Vec<&str>, Vec<usize>> = BTreeMap::new();
+        for (i, h) in all.iter().enumerate() {
+            of.entry(h.leaves()).or_default().push(i);
+        }
         let mut out = Vec::new();
         for (i, a) in all.iter().enumerate() {
-            for b in all.iter().skip(i + 1).filter(|b| b.leaves() == a.leaves()) {
+            let same = of.get(&a.leaves()).into_iter().flatten();
+            for b in same.filter(|k| **k > i).filter_map(|k| all.get(*k)) {
                 let (Some(p), Some(q)) = (a.knuckles.first(), b.knuckles.first()) else {
                     continue;
                 };

@@ -5,8 +5,9 @@ use assemcad_model::mates::MateType;
 use assemcad_model::ports::{Port, PortType};
 
 use super::Check;
-use crate::facts::{Facts, Side};
+use crate::facts::Side;
 use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg};
+use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::ruling::Ruling;
 
@@ -30,7 +31,7 @@ impl Check for HolePattern {
         "N-07"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in facts
             .mates

@@ -1,8 +1,8 @@
 //! N-04: spacing of holes.
 
 use super::Check;
-use crate::facts::Facts;
-use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg, off_axis_mm};
+use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg};
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling};
 use assemcad_model::ports::PortType;
 
@@ -22,26 +22,27 @@ impl Check for HoleSpacing {
         "N-04"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for part in &facts.parts {
             let holes: Vec<_> = part
                 .ports
                 .iter()
                 .filter(|p| p.port_type == PortType::ClearanceHole)
-                .filter_map(|p| Some((p, p.frame.placement().ok()?)))
+                .filter_map(|p| Some((p.value("diameter"), p.frame.placement().ok()?)))
                 .collect();
             let mut nearest: Option<(f64, f64)> = None;
             for (i, (a, at)) in holes.iter().enumerate() {
+                let back = at.inverse();
                 for (b, other) in holes.iter().skip(i + 1) {
-                    let seen = at.inverse() * *other;
-                    let apart = off_axis_mm(&seen);
+                    let [x, y, _] = back.point(other.origin().into());
+                    let apart = libm::hypot(x, y);
+                    let least = SPACING * a.max(*b);
                     // The two mouths of one hole, and holes in other walls, are no neighbours.
-                    if askew_deg(&seen) > NEAR_DEG || apart <= NEAR_MM {
-                        continue;
-                    }
-                    let least = SPACING * a.value("diameter").max(b.value("diameter"));
-                    if nearest.is_none_or(|(d, l)| apart - least < d - l) {
+                    if apart > NEAR_MM
+                        && nearest.is_none_or(|(d, l)| apart - least < d - l)
+                        && askew_deg(&(back * *other)) <= NEAR_DEG
+                    {
                         nearest = Some((apart, least));
                     }
                 }

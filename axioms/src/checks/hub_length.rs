@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::{about, ends, is_hole};
 use crate::ruling::Ruling;
 use assemcad_model::ports::PortType;
@@ -23,7 +23,7 @@ impl Check for HubLength {
         "P-03"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in &facts.mates {
             let shaft = |t| t == PortType::Shaft;

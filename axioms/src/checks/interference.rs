@@ -1,7 +1,7 @@
 //! C-03: interference holds a press fit.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::{about, ends, is_cylinder, is_hole, reach, reach_along};
 use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
@@ -18,7 +18,7 @@ impl Check for Interference {
         "C-03"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in facts
             .mates

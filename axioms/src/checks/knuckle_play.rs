@@ -1,9 +1,9 @@
 //! H-04: knuckles interleave with play.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::geometry::NEAR_MM;
 use crate::hinges::hinges;
+use crate::indexed::Indexed;
 use crate::ruling::Ruling;
 
 /// Neighbours along the pin are of different leaves, without overlap and with play in sum.
@@ -18,7 +18,7 @@ impl Check for KnucklePlay {
         "H-04"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for h in hinges(facts) {
             let Some(along) = h.along() else {

@@ -1,7 +1,7 @@
 //! N-01: one load path to ground.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::reached;
 use crate::ruling::{About, Ruling};
 
@@ -17,7 +17,7 @@ impl Check for LoadPath {
         "N-01"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let Some(root) = facts.root() else {
             return Vec::new();
         };

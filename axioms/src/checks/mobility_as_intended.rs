@@ -1,7 +1,7 @@
 //! K-03: mobility as intended.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling, Status};
 
 /// As many motions as are meant.
@@ -16,7 +16,7 @@ impl Check for MobilityAsIntended {
         "K-03"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let Some(wanted) = facts.intended_mobility else {
             return Vec::new();
         };

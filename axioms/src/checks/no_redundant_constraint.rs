@@ -1,7 +1,10 @@
 //! C-05: no constraint twice without a reason.
 
+use std::collections::BTreeSet;
+
 use super::Check;
-use crate::facts::{Facts, Mobility, Redundant};
+use crate::facts::{Mobility, Redundant};
+use crate::indexed::Indexed;
 use crate::reasons::reasons;
 use crate::ruling::{About, Ruling, Status};
 
@@ -17,7 +20,7 @@ impl Check for NoRedundantConstraint {
         "C-05"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let Some(mobility) = &facts.mobility else {
             let message = "the motion of the assembly was not analysed";
             return vec![Ruling::new(
@@ -33,7 +36,7 @@ impl Check for NoRedundantConstraint {
         }
         // One verdict: in a loop every mate repeats what the others hold, and to name each of them alone
         // would say the same over and over.
-        let noted = |mate: &str| facts.mates.iter().any(|m| m.id == mate && m.has_notes);
+        let noted = |mate: &str| facts.mate(mate).is_some_and(|m| m.has_notes);
         // Without the second analysis nothing is explained.
         let left = mobility.unexplained.as_ref().unwrap_or(&mobility.redundant);
         let bare: Vec<_> = left.iter().filter(|r| !noted(&r.mate)).collect();
@@ -77,12 +80,12 @@ impl Check for NoRedundantConstraint {
 }
 
 /// The patterns that were taken for reasons, each once; none where there are none among what is repeated.
-fn taken_for_reasons(facts: &Facts, mobility: &Mobility) -> Option<String> {
+fn taken_for_reasons(facts: &Indexed, mobility: &Mobility) -> Option<String> {
     mobility.unexplained.as_ref()?;
-    let repeated = |mate: &str| mobility.redundant.iter().any(|r| r.mate == mate);
+    let repeated: BTreeSet<&str> = mobility.redundant.iter().map(|r| r.mate.as_str()).collect();
     let mut why: Vec<String> = reasons(facts)
         .into_iter()
-        .filter(|r| repeated(r.mate))
+        .filter(|r| repeated.contains(r.mate))
         .map(|r| r.why)
         .collect();
     why.sort();

@@ -1,7 +1,7 @@
 //! F-04: no two parts in one place.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling, Status};
 
 /// No pair shares more volume than its mates mean.
@@ -19,7 +19,7 @@ impl Check for NoUnmeantOverlap {
         "F-04"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for o in facts.measured.overlaps.iter().flatten() {
             let about = About {

@@ -1,7 +1,7 @@
 //! F-01: parts are joined pair by pair.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling};
 
 /// Every part has a mate with another part.
@@ -16,7 +16,7 @@ impl Check for PartConnected {
         "F-01"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         if facts.parts.len() < 2 {
             return Vec::new();
         }

@@ -1,8 +1,8 @@
 //! H-05: the pin is fast in one leaf at most.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::hinges::hinges;
+use crate::indexed::Indexed;
 use crate::ruling::Ruling;
 
 /// At least one leaf is not pressed on the pin.
@@ -17,7 +17,7 @@ impl Check for PinFit {
         "H-05"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for h in hinges(facts) {
             let leaves = h.leaves();

@@ -1,9 +1,9 @@
 //! H-02: the pin passes all knuckles.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::geometry::NEAR_MM;
 use crate::hinges::hinges;
+use crate::indexed::Indexed;
 use crate::joints::reach;
 use crate::ruling::Ruling;
 
@@ -19,7 +19,7 @@ impl Check for PinReach {
         "H-02"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for h in hinges(facts) {
             let (Some(along), Some(first)) = (h.along(), h.knuckles.first()) else {

@@ -1,8 +1,8 @@
 //! H-03: the pin is retained both ways.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::hinges::hinges;
+use crate::indexed::Indexed;
 use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
 
@@ -18,7 +18,7 @@ impl Check for PinRetention {
         "H-03"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for h in hinges(facts) {
             let pressed = h.knuckles.iter().any(|k| k.pressed());

@@ -1,8 +1,8 @@
 //! C-01: face on face.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::geometry::{NEAR_DEG, NEAR_MM, z_angle_deg};
+use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
@@ -19,7 +19,7 @@ impl Check for PlaneAlignment {
         "C-01"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in facts
             .mates

@@ -1,9 +1,11 @@
 //! G-09: planets fit between sun and ring.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use super::Check;
-use crate::facts::Facts;
 use crate::gearing::{Gear, Pair, pairs};
 use crate::geometry::{collinear, off_axis_mm};
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling};
 
 /// The planets of a stage share the axes of sun and ring, and find a gap in both at their places.
@@ -28,7 +30,7 @@ impl Check for PlanetSpacing {
         "G-09"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let pairs = pairs(facts);
         let mut out = Vec::new();
         let mut rings: Vec<&str> = pairs
@@ -38,20 +40,32 @@ impl Check for PlanetSpacing {
             .collect();
         rings.sort_unstable();
         rings.dedup();
-        let mut suns: Vec<&str> = pairs
-            .iter()
-            .flat_map(|p| [p.base.part.id.as_str(), p.incoming.part.id.as_str()])
-            .collect();
-        suns.sort_unstable();
-        suns.dedup();
+        let mut of: Pairs<'_> = BTreeMap::new();
+        for p in &pairs {
+            for gear in [&p.base.part.id, &p.incoming.part.id] {
+                of.entry(gear).or_default().push(p);
+            }
+        }
         for ring in rings {
-            for sun in &suns {
-                out.extend(stage(self.axiom(), &pairs, ring, sun));
+            // A sun meshes with a planet of the ring.
+            let own = of.get(ring).into_iter().flatten();
+            let planets = own
+                .filter_map(|p| ring_and_planet(p))
+                .map(|(_, planet)| planet);
+            let inner = planets.filter_map(|planet| of.get(planet)).flatten();
+            let suns: BTreeSet<&str> = inner
+                .flat_map(|p| [p.base.part.id.as_str(), p.incoming.part.id.as_str()])
+                .collect();
+            for sun in suns {
+                out.extend(stage(self.axiom(), &of, ring, sun));
             }
         }
         out
     }
 }
+
+/// The pairs of each gear, in their order.
+type Pairs<'a> = BTreeMap<&'a str, Vec<&'a Pair<'a>>>;
 
 /// The names of ring and planet, where a pair is one.
 fn ring_and_planet<'a>(p: &Pair<'a>) -> Option<(&'a str, &'a str)> {
@@ -64,18 +78,18 @@ fn ring_and_planet<'a>(p: &Pair<'a>) -> Option<(&'a str, &'a str)> {
 }
 
 /// The verdict on the stage of a ring and a sun; none where no planet joins the two.
-fn stage(axiom: &str, pairs: &[Pair<'_>], ring: &str, sun: &str) -> Option<Ruling> {
+fn stage(axiom: &str, of: &Pairs<'_>, ring: &str, sun: &str) -> Option<Ruling> {
     let mut planets: Vec<Planet<'_>> = Vec::new();
     let mut ends: Option<(Gear, Gear)> = None;
-    for p in pairs {
-        let Some((of, planet)) = ring_and_planet(p) else {
+    for p in of.get(ring).into_iter().flatten() {
+        let Some((_, planet)) = ring_and_planet(p).filter(|(named, _)| *named == ring) else {
             continue;
         };
-        let inner = pairs.iter().find(|q| {
+        let inner = of.get(planet).into_iter().flatten().find(|q| {
             let names = [q.base.part.id.as_str(), q.incoming.part.id.as_str()];
-            !q.inside() && planet != sun && names.contains(&planet) && names.contains(&sun)
+            !q.inside() && planet != sun && names.contains(&sun)
         });
-        let Some(inner) = inner.filter(|_| of == ring) else {
+        let Some(inner) = inner else {
             continue;
         };
         let (r, g, seen) = if p.a.internal {
@@ -109,7 +123,7 @@ fn stage(axiom: &str, pairs: &[Pair<'_>], ring: &str, sun: &str) -> Option<Rulin
             ));
         }
     }
-    if let Some(off) = axes_off(pairs, ring, sun) {
+    if let Some(off) = axes_off(of, ring, sun) {
         wrong.push(format!("the axes of sun and ring are {off:.4} mm apart"));
     }
     // Two planets fit at the angle phi from each other where (z_s + z_r) phi / 360 degrees is whole
@@ -153,12 +167,10 @@ fn stage(axiom: &str, pairs: &[Pair<'_>], ring: &str, sun: &str) -> Option<Rulin
 }
 
 /// How far the axes of sun and ring are apart, where they are not one line.
-fn axes_off(pairs: &[Pair<'_>], ring: &str, sun: &str) -> Option<f64> {
+fn axes_off(of: &Pairs<'_>, ring: &str, sun: &str) -> Option<f64> {
     let side = |name: &str| {
-        pairs
-            .iter()
-            .flat_map(|p| [p.base, p.incoming])
-            .find(|s| s.part.id == name)
+        let mut ends = of.get(name)?.iter().flat_map(|p| [p.base, p.incoming]);
+        ends.find(|s| s.part.id == name)
     };
     let seen = side(ring)?.sees(&side(sun)?)?;
     (!collinear(&seen)).then(|| off_axis_mm(&seen))

@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::{about_part, of_class};
 use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
@@ -20,7 +20,7 @@ impl Check for RingFit {
         "B-02"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         of_class(facts, Class::BallBearing)
             .map(|bearing| {
                 let mates: Vec<_> = facts.mates_of(&bearing.id).collect();

@@ -1,7 +1,7 @@
 //! K-05: a drive screw keeps its screw motion.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::left::at_each;
 use crate::ruling::Ruling;
@@ -18,7 +18,7 @@ impl Check for ScrewFreedom {
         "K-05"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         at_each(
             facts,
             self.axiom(),

@@ -1,9 +1,9 @@
 //! C-04: a seat lies on its face.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::facts::Side;
 use crate::geometry::NEAR_MM;
+use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
@@ -32,7 +32,7 @@ impl Check for SeatOnFace {
         "C-04"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in facts
             .mates

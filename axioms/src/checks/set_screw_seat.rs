@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::asked::tips;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::ruling::{Ruling, Status};
 
@@ -18,7 +18,7 @@ impl Check for SetScrewSeat {
         "T-08"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let seats = facts.measured.tips.as_deref().unwrap_or_default();
         tips(facts)
             .into_iter()

@@ -1,9 +1,9 @@
 //! G-04: gears suit the angle of their axes.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::gearing::pairs;
 use crate::geometry::askew_deg;
+use crate::indexed::Indexed;
 use crate::ruling::Ruling;
 
 /// Helical gears on axes that are not parallel: the angle of the axes is the sum of the helix angles.
@@ -21,7 +21,7 @@ impl Check for ShaftAngle {
         "G-04"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             let straight = p.a.straight() && p.b.straight();

@@ -5,8 +5,9 @@ use assemcad_model::mates::MateType;
 use super::Check;
 use crate::asked::turns;
 use crate::class::Class;
-use crate::facts::{Facts, MateFacts, PartFacts, Side};
+use crate::facts::{MateFacts, PartFacts, Side};
 use crate::geometry::NEAR_MM;
+use crate::indexed::Indexed;
 use crate::joints::{about_part, is_cylinder, is_hole, reach_along};
 use crate::ruling::{Ruling, Status};
 
@@ -34,7 +35,7 @@ impl Check for ShaftSupport {
         "P-01"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let rotating = facts.parts.iter().filter(|p| turns(facts, p));
         rotating
             .map(|shaft| carried(self.axiom(), facts, shaft))
@@ -47,14 +48,11 @@ fn carries(class: Class) -> bool {
     class.is_structure() || matches!(class, Class::BallBearing | Class::Custom)
 }
 
-fn places<'a>(facts: &'a Facts, shaft: &PartFacts) -> Vec<Place<'a>> {
+fn places<'a>(facts: &'a Indexed, shaft: &PartFacts) -> Vec<Place<'a>> {
     let mut out: Vec<Place<'a>> = Vec::new();
     let mut along: Option<Side<'a>> = None;
-    for mate in &facts.mates {
-        let Some((own, other)) = facts
-            .seen_from(&shaft.id, mate)
-            .filter(|_| mate.has(&shaft.id))
-        else {
+    for mate in facts.mates_of(&shaft.id) {
+        let Some((own, other)) = facts.seen_from(&shaft.id, mate) else {
             continue;
         };
         let fits = is_cylinder(own.port.port_type) && is_hole(other.port.port_type);
@@ -72,7 +70,7 @@ fn places<'a>(facts: &'a Facts, shaft: &PartFacts) -> Vec<Place<'a>> {
     out
 }
 
-fn carried(axiom: &str, facts: &Facts, shaft: &PartFacts) -> Ruling {
+fn carried(axiom: &str, facts: &Indexed, shaft: &PartFacts) -> Ruling {
     let places = places(facts, shaft);
     let about = about_part(shaft, places.iter().map(|p| p.mate));
     let custom = places.iter().any(|p| p.hole.part.class() == Class::Custom);

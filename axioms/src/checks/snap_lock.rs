@@ -1,8 +1,8 @@
 //! T-12: a snap hook reaches over its catch.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::geometry::{NEAR_DEG, z_angle_deg};
+use crate::indexed::Indexed;
 use crate::joints::{about, ends};
 use crate::ruling::Ruling;
 use assemcad_model::ports::PortType;
@@ -19,7 +19,7 @@ impl Check for SnapLock {
         "T-12"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for mate in &facts.mates {
             let snap = |t| t == PortType::SnapFit;

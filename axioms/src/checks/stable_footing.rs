@@ -1,8 +1,8 @@
 //! N-05: the machine stands.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::facts::{Material, PartFacts};
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling, Status};
 
 /// The centre of mass is above the box of the ground.
@@ -26,7 +26,7 @@ impl Check for StableFooting {
         "N-05"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let ground = facts.root().and_then(|r| facts.part(r));
         let Some(ground) = ground.and_then(|g| g.geometry.as_ref()) else {
             return Vec::new();

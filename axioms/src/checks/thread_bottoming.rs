@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::screwed;
 use crate::ruling::{Ruling, Status};
 
@@ -21,7 +21,7 @@ impl Check for ThreadBottoming {
         "T-04"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for s in screwed(facts) {
             // A nut is open at its far end, and so is a hole that the mate lets the screw stand out of.

@@ -1,7 +1,7 @@
 //! T-02: threads match.
 
 use super::Check;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::screwed;
 use crate::ruling::Ruling;
 
@@ -17,7 +17,7 @@ impl Check for ThreadMatch {
         "T-02"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         screwed(facts)
             .iter()
             .map(|s| {

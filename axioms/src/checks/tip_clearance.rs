@@ -1,8 +1,8 @@
 //! G-07: tips stay clear of roots.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::gearing::{BASIC_RACK, pairs};
+use crate::indexed::Indexed;
 use crate::ruling::Ruling;
 
 /// Both tips of a pair stay clear of the roots that they face.
@@ -21,7 +21,7 @@ impl Check for TipClearance {
         "G-07"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             if p.seen.is_none() {

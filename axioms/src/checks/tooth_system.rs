@@ -1,9 +1,9 @@
 //! G-02: a gear pair is of one tooth system.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::gearing::pairs;
 use crate::geometry::askew_deg;
+use crate::indexed::Indexed;
 use crate::ruling::Ruling;
 
 /// Equal module and pressure angle; parallel axes where both gears are straight.
@@ -21,7 +21,7 @@ impl Check for ToothSystem {
         "G-02"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         pairs(facts)
             .iter()
             .map(|p| {

@@ -1,9 +1,11 @@
 //! P-02: torque has a way from shaft to hub.
 
+use std::collections::BTreeSet;
+
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
 use crate::facts::{MateFacts, PartFacts};
+use crate::indexed::Indexed;
 use crate::joints::{about, ends, is_hole};
 use crate::ruling::{Ruling, Status};
 use assemcad_model::mates::MateType;
@@ -14,7 +16,7 @@ pub struct TorquePath;
 
 /// Whether a hub passes torque: a coupling's does, and a gear that meshes with one other; a gear between two
 /// others may run free. A mate that cites the axiom says that it is meant to.
-fn passes_torque(facts: &Facts, hub: &PartFacts, mate: &MateFacts, axiom: &str) -> bool {
+fn passes_torque(facts: &Indexed, hub: &PartFacts, mate: &MateFacts, axiom: &str) -> bool {
     let meshes = || {
         let own = facts.mates_of(&hub.id);
         own.filter(|m| m.mate_type == MateType::GearMesh).count()
@@ -28,8 +30,8 @@ fn passes_torque(facts: &Facts, hub: &PartFacts, mate: &MateFacts, axiom: &str) 
 }
 
 /// A key, set screw or other part that is joined to both and is neither bearing nor gear.
-fn between<'a>(facts: &'a Facts, hub: &PartFacts, shaft: &PartFacts) -> Option<&'a str> {
-    let link = |p: &&PartFacts| {
+fn between<'a>(facts: &'a Indexed, hub: &PartFacts, shaft: &PartFacts) -> Option<&'a str> {
+    let link = |p: &PartFacts| {
         let kind = matches!(
             p.class(),
             Class::Key | Class::SetScrew | Class::Bolt | Class::Custom
@@ -37,7 +39,12 @@ fn between<'a>(facts: &'a Facts, hub: &PartFacts, shaft: &PartFacts) -> Option<&
         let joins = |id: &str| facts.mates_of(&p.id).any(|m| m.has(id));
         kind && p.id != hub.id && p.id != shaft.id && joins(&hub.id) && joins(&shaft.id)
     };
-    facts.parts.iter().find(link).map(|p| p.id.as_str())
+    let ends = facts
+        .mates_of(&hub.id)
+        .flat_map(|m| [&m.base.part, &m.incoming.part]);
+    let beside: BTreeSet<usize> = ends.filter_map(|id| facts.place(id)).collect();
+    let mut beside = beside.into_iter().filter_map(|i| facts.parts.get(i));
+    beside.find(|p| link(p)).map(|p| p.id.as_str())
 }
 
 impl Check for TorquePath {
@@ -49,7 +56,7 @@ impl Check for TorquePath {
         "P-02"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in &facts.mates {
             let shaft = |t| t == PortType::Shaft;

@@ -1,8 +1,8 @@
 //! G-06: no undercut.
 
 use super::Check;
-use crate::facts::Facts;
 use crate::gearing::Gear;
+use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling};
 use assemcad_model::ports::PortType;
 
@@ -22,7 +22,7 @@ impl Check for Undercut {
         "G-06"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for part in &facts.parts {
             for port in part

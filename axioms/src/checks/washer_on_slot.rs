@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::class::Class;
-use crate::facts::Facts;
+use crate::indexed::Indexed;
 use crate::joints::{about, ends};
 use crate::ruling::Ruling;
 use crate::tables::clearance;
@@ -20,7 +20,7 @@ impl Check for WasherOnSlot {
         "T-07"
     }
 
-    fn run(&self, facts: &Facts) -> Vec<Ruling> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for mate in &facts.mates {
             let seat = |t| matches!(t, PortType::BoltSeat | PortType::FlatFace);

@@ -2,6 +2,7 @@ use std::collections::BTreeMap;
 
 use super::{Pair, inverse_involute, involute, pairs};
 use crate::facts::{Facts, MateFacts, PartFacts};
+use crate::indexed::Indexed;
 use assemcad_model::frame::{Frame, Placement};
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::{Port, PortType};
@@ -53,7 +54,7 @@ fn with<T>(a: PartFacts, b: PartFacts, f: impl Fn(&Pair<'_>) -> T) -> T {
         mates: vec![mate],
         ..Facts::default()
     };
-    f(&pairs(&facts)[0])
+    f(&pairs(&Indexed::new(facts))[0])
 }
 
 /// Two derivations meet: the operating distance comes from the sum of the shifts, the play from the tooth

@@ -1,14 +1,17 @@
 //! What the checks of the axioms read, from a placed and measured assembly.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use assemcad_axioms::facts::{
     Facts, Geometry, JointMotion, MateContact, MateFacts, Measured, Mobility, PairOverlap,
     PartFacts, Redundant,
 };
+use assemcad_axioms::indexed::Indexed;
 use assemcad_axioms::reasons::reasons;
 use assemcad_factories::Registry;
 use assemcad_model::freedom::Freedom;
 use assemcad_model::report::{self, Overlapping, Verdict};
-use assemcad_model::spec::Assembly;
+use assemcad_model::spec::{Assembly, Part};
 use assemcad_placing::linkage::freedom_of;
 use assemcad_placing::{Assembled, Placements, Resolved};
 use serde_json::{Map, Value};
@@ -32,13 +35,25 @@ pub(super) fn facts(
     spec: &Assembly,
     assembled: &Assembled<'_>,
     measured: &Measurements<'_>,
-) -> Facts {
+) -> Indexed {
     let (resolved, placements) = (assembled.resolved, assembled.placements);
+    let mut written: BTreeMap<&str, &Part> = BTreeMap::new();
+    for p in &spec.parts {
+        written.entry(&p.id).or_insert(p);
+    }
+    let mut defaults: BTreeMap<&str, Map<String, Value>> = BTreeMap::new();
+    for p in &resolved.parts {
+        let of = || defaults_of(registry, &p.factory);
+        defaults.entry(&p.factory).or_insert_with(of);
+    }
     let parts = resolved.parts.iter().enumerate().map(|(i, p)| PartFacts {
         id: p.id.clone(),
         factory: p.factory.clone(),
         class: None,
-        params: params(registry, spec, &p.id, &p.factory),
+        params: params(
+            written.get(p.id.as_str()).copied(),
+            defaults.get(p.factory.as_str()),
+        ),
         ports: p.ports().to_vec(),
         placement: placements.of(i),
         material: None,
@@ -53,7 +68,7 @@ pub(super) fn facts(
         axioms: m.mate.axioms.clone(),
         has_notes: !m.mate.notes.trim().is_empty(),
     });
-    let mut facts = Facts {
+    let mut facts = Indexed::new(Facts {
         root: spec.root.clone(),
         parts: parts.collect(),
         mates: mates.collect(),
@@ -64,9 +79,9 @@ pub(super) fn facts(
             contacts: Some(contacts(measured)),
             ..Measured::default()
         },
-    };
+    });
     let left = unexplained(&facts, resolved, placements);
-    if let Some(mobility) = &mut facts.mobility {
+    if let Some(mobility) = facts.mobility_mut() {
         mobility.unexplained = left;
     }
     facts
@@ -75,12 +90,12 @@ pub(super) fn facts(
 /// What is still held twice when the mates are left out for which a pattern of joints gives the reason; none
 /// where there are no such mates, or nothing is held twice.
 fn unexplained(
-    facts: &Facts,
+    facts: &Indexed,
     resolved: &Resolved,
     placements: &Placements,
 ) -> Option<Vec<Redundant>> {
     let mobility = facts.mobility.as_ref()?;
-    let explained: Vec<&str> = reasons(facts).iter().map(|r| r.mate).collect();
+    let explained: BTreeSet<&str> = reasons(facts).iter().map(|r| r.mate).collect();
     if mobility.redundant.is_empty() || explained.is_empty() {
         return None;
     }
@@ -122,16 +137,23 @@ fn mobility(freedom: &Freedom) -> Option<Mobility> {
 }
 
 /// The parameters of a part, with its factory's defaults filled in.
-fn params(registry: &Registry, spec: &Assembly, id: &str, factory: &str) -> Map<String, Value> {
-    let mut params = spec.part(id).map(|p| p.params.clone()).unwrap_or_default();
-    if let Ok(factory) = registry.get(factory) {
-        for p in factory.params() {
-            if !params.contains_key(&p.name) {
-                params.insert(p.name.clone(), p.default_value());
-            }
+fn params(part: Option<&Part>, defaults: Option<&Map<String, Value>>) -> Map<String, Value> {
+    let mut params = part.map(|p| p.params.clone()).unwrap_or_default();
+    for (name, value) in defaults.into_iter().flatten() {
+        if !params.contains_key(name) {
+            params.insert(name.clone(), value.clone());
         }
     }
     params
+}
+
+/// The defaults of a factory's parameters; none of one that is not there.
+fn defaults_of(registry: &Registry, factory: &str) -> Map<String, Value> {
+    let factory = registry.get(factory);
+    let params = factory.iter().flat_map(|f| f.params());
+    params
+        .map(|p| (p.name.clone(), p.default_value()))
+        .collect()
 }
 
 fn geometry(p: &report::PartFacts) -> Option<Geometry> {

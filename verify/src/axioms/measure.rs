@@ -1,13 +1,14 @@
 //! What the checks of walls, ways, tools and seats want to have measured on the solids: asked of the kernel's
 //! workers as triangles, and looked at with rays.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use assemcad_axioms::asked;
-use assemcad_axioms::facts::{Facts, Reach, TipSeat, Unseen, Wall};
+use assemcad_axioms::facts::{Reach, Thrust, TipSeat, Unseen, Wall, Ways};
+use assemcad_axioms::indexed::Indexed;
 use assemcad_geometry::Asker;
 use assemcad_kernel::asked::Body;
-use assemcad_kernel::mesh::Mesh;
 use assemcad_model::angle::sin_cos_deg;
 use assemcad_model::frame::Placement;
 use assemcad_model::probe::{Probe, Test};
@@ -16,7 +17,9 @@ use assemcad_placing::{Assembled, Resolved};
 use futures::future::join_all;
 use nalgebra::Vector3;
 
-use super::rays::Facets;
+use super::limit::Limit;
+use super::rays::{Facets, PlacedFacets};
+use super::tree::{Box3, Tree};
 use super::ways;
 
 /// How far triangles may be off a surface: this share of the solid's diagonal, between these limits in mm.
@@ -49,29 +52,62 @@ const CLEAR_MM: f64 = 0.05;
 const SUNK_MM: f64 = 0.05;
 
 /// Measures what the checks ask for, and notes it in the facts.
-pub(super) async fn measure(door: Asker<'_>, assembled: &Assembled<'_>, facts: &mut Facts) {
+pub(super) async fn measure(door: Asker<'_>, assembled: &Assembled<'_>, facts: Indexed) -> Indexed {
     let bodies = bodies(door, assembled).await;
-    facts.measured.tips = Some(tips(door, assembled.resolved, facts).await);
-    facts.measured.walls = Some(walls(facts, &bodies));
-    facts.measured.reaches = Some(reaches(facts, &bodies));
-    facts.measured.thrusts = Some(Vec::new());
-    let unseen = facts.parts.iter().zip(&bodies).filter(|(p, b)| {
-        // Parts without a place are another check's.
-        p.placement.is_some() && b.is_none()
-    });
-    let open: Vec<Unseen> = unseen
-        .map(|(p, _)| Unseen {
-            part: p.id.clone(),
-            why: "its solid or its triangles could not be made".to_owned(),
-        })
-        .collect();
-    let (ways, thrusts) = ways::look(facts, &bodies, open);
-    facts.measured.ways = Some(ways);
-    facts.measured.thrusts = Some(thrusts);
+    let tips = tips(door, assembled.resolved, &facts).await;
+    // Much work, which is not for the threads that answer; and for nobody, when this is dropped.
+    let (limit, waiting) = Limit::new(ways::MOST_WORK);
+    let facts = Arc::new(facts);
+    let shared = Arc::clone(&facts);
+    let looked = tokio::task::spawn_blocking(move || Looked::new(&shared, &bodies, &limit)).await;
+    drop(waiting);
+    let mut facts = Arc::try_unwrap(facts).unwrap_or_else(|shared| (*shared).clone());
+    let measured = facts.measured_mut();
+    measured.tips = Some(tips);
+    // What was lost on the way was not measured, and the checks say so.
+    if let Ok(looked) = looked {
+        measured.walls = looked.walls;
+        measured.reaches = looked.reaches;
+        measured.ways = Some(looked.ways);
+        measured.thrusts = Some(looked.thrusts);
+    }
+    facts
+}
+
+/// What is looked at with rays.
+struct Looked {
+    walls: Option<Vec<Wall>>,
+    reaches: Option<Vec<Reach>>,
+    ways: Ways,
+    thrusts: Vec<Thrust>,
+}
+
+impl Looked {
+    fn new(facts: &Indexed, bodies: &[Option<PlacedFacets>], limit: &Limit) -> Self {
+        let unseen = facts.parts.iter().zip(bodies).filter(|(p, b)| {
+            // Parts without a place are another check's.
+            p.placement.is_some() && b.is_none()
+        });
+        let open: Vec<Unseen> = unseen
+            .map(|(p, _)| Unseen {
+                part: p.id.clone(),
+                why: "its solid or its triangles could not be made".to_owned(),
+            })
+            .collect();
+        let walls = walls(facts, bodies, limit);
+        let reaches = reaches(facts, bodies, limit);
+        let (ways, thrusts) = ways::look(facts, bodies, limit, open);
+        Self {
+            walls,
+            reaches,
+            ways,
+            thrusts,
+        }
+    }
 }
 
 /// The placed parts as triangles. Parts of one recipe are asked once.
-async fn bodies(door: Asker<'_>, assembled: &Assembled<'_>) -> Vec<Option<Facets>> {
+async fn bodies(door: Asker<'_>, assembled: &Assembled<'_>) -> Vec<Option<PlacedFacets>> {
     let meshes = once_per_recipe(assembled.resolved, assembled.built, |part, b| async move {
         let size = Vector3::from(b.max) - Vector3::from(b.min);
         let deflection_mm = (DEFLECTION * size.norm()).clamp(DEFLECTION_MM.0, DEFLECTION_MM.1);
@@ -79,20 +115,25 @@ async fn bodies(door: Asker<'_>, assembled: &Assembled<'_>) -> Vec<Option<Facets
             recipe: part.made.solid.clone(),
         };
         let mesh = door.mesh(&whole, deflection_mm, DEFLECTION_DEG).await;
-        Some((mesh.ok()??, deflection_mm))
+        Some(Arc::new(Facets::new(mesh.ok()??.as_ref(), deflection_mm)))
     })
     .await;
-    let body = |i: usize, mesh: Option<&Option<(Arc<Mesh>, f64)>>| {
-        let (mesh, deflection) = mesh?.as_ref()?;
-        Some(Facets::new(mesh, &assembled.placements.of(i)?, *deflection))
+    let body = |i: usize, facets: Option<&Option<Arc<Facets>>>| {
+        Some(PlacedFacets::new(
+            facets?.as_ref()?,
+            &assembled.placements.of(i)?,
+        ))
     };
     let each = meshes.iter().enumerate();
     each.map(|(i, mesh)| body(i, mesh.as_deref())).collect()
 }
 
-fn body<'a>(facts: &Facts, bodies: &'a [Option<Facets>], part: &str) -> Option<&'a Facets> {
-    let at = facts.parts.iter().position(|p| p.id == part)?;
-    bodies.get(at)?.as_ref()
+fn body<'a>(
+    facts: &Indexed,
+    bodies: &'a [Option<PlacedFacets>],
+    part: &str,
+) -> Option<&'a PlacedFacets> {
+    bodies.get(facts.place(part)?)?.as_ref()
 }
 
 /// A point about the z axis of a frame in the world.
@@ -102,8 +143,8 @@ fn polar(at: &Placement, radius: f64, deg: f64, z: f64) -> Vector3<f64> {
 }
 
 /// The walls around the bores: rays from the axis outward meet the bore's wall and then its other side.
-fn walls(facts: &Facts, bodies: &[Option<Facets>]) -> Vec<Wall> {
-    let wall = |bore: asked::Bore<'_>| {
+fn walls(facts: &Indexed, bodies: &[Option<PlacedFacets>], limit: &Limit) -> Option<Vec<Wall>> {
+    let wall = |bore: &asked::Bore<'_>| {
         let body = body(facts, bodies, &bore.hole.part.id)?;
         let at = bore.hole.world()?;
         let (radius, depth) = (
@@ -138,28 +179,58 @@ fn walls(facts: &Facts, bodies: &[Option<Facets>]) -> Vec<Wall> {
             met,
         })
     };
-    asked::bores(facts).into_iter().filter_map(wall).collect()
+    let found = limit.each(&asked::bores(facts), |bore| Some(wall(bore)))?;
+    Some(found.into_iter().flatten().collect())
 }
 
 /// How far the tools of the fasteners come: rays from the fastener's end on, in the tool's cylinder.
-fn reaches(facts: &Facts, bodies: &[Option<Facets>]) -> Vec<Reach> {
-    let reach = |tool: asked::Tool<'_>| {
+fn reaches(facts: &Indexed, bodies: &[Option<PlacedFacets>], limit: &Limit) -> Option<Vec<Reach>> {
+    let placed = facts.parts.iter().zip(bodies).enumerate();
+    let placed = placed.filter(|(_, (part, _))| part.placement.is_some());
+    let (mut at, mut balls) = (Vec::new(), Vec::new());
+    let mut unseen: BTreeSet<&str> = BTreeSet::new();
+    for (i, (part, body)) in placed {
+        match body {
+            Some(body) => {
+                at.push(i);
+                balls.push(body.ball());
+            }
+            None => {
+                unseen.insert(&part.id);
+            }
+        }
+    }
+    let tree = Tree::new(&balls);
+    // The parts that may be in a cylinder, in their order.
+    let near = |from: &Vector3<f64>, to: &Vector3<f64>, radius: f64| {
+        let about = |p: &Vector3<f64>, by: f64| [p.x + by, p.y + by, p.z + by];
+        let ends = [from, to].into_iter();
+        let cylinder = ends.fold(Box3::NONE, |b, p| {
+            b.with(about(p, -radius)).with(about(p, radius))
+        });
+        let mut out: Vec<usize> = Vec::new();
+        tree.visit(|b| b.meets(&cylinder), |k| out.extend(at.get(k).copied()));
+        out.sort_unstable();
+        out
+    };
+    let reach = |tool: &asked::Tool<'_>| {
         let own = body(facts, bodies, &tool.fastener.id)?;
         let at = tool.fastener.world(tool.port)?;
         let origin = at.origin();
         let along = -at.axes()[2];
         let end = own.reach(&origin, &along);
-        let mut known = true;
+        let mine = |part: &str| part == tool.fastener.id || tool.inside.contains(&part);
+        let known = unseen.iter().all(|part| mine(part));
         let mut nearest: Option<(f64, &str)> = None;
-        for (part, other) in facts.parts.iter().zip(bodies) {
-            let own = part.id == tool.fastener.id || tool.inside.contains(&part.id.as_str());
-            if own || part.placement.is_none() {
-                continue;
-            }
-            let Some(other) = other else {
-                known = false;
+        let start = origin + along * end;
+        let stop = start + along * (tool.length_mm + 2.0 * CLEAR_MM);
+        for i in near(&start, &stop, tool.diameter_mm / 2.0) {
+            let (Some(part), Some(Some(other))) = (facts.parts.get(i), bodies.get(i)) else {
                 continue;
             };
+            if mine(&part.id) {
+                continue;
+            }
             // What lies wholly beside the tool, or behind the fastener's end, is in no tool's way.
             let beside = other.beside(&origin, &along, tool.diameter_mm / 2.0);
             if beside || other.reach(&origin, &along) <= end + CLEAR_MM {
@@ -193,13 +264,15 @@ fn reaches(facts: &Facts, bodies: &[Option<Facets>]) -> Vec<Reach> {
             by: nearest.map(|(_, by)| by.to_owned()),
         })
     };
-    asked::tools(facts).into_iter().filter_map(reach).collect()
+    let found = limit.each(&asked::tools(facts), |tool| Some(reach(tool)))?;
+    Some(found.into_iter().flatten().collect())
 }
 
 /// What lies under the tips of set screws, asked of the exact solid of the shaft.
-async fn tips(door: Asker<'_>, resolved: &Resolved, facts: &Facts) -> Vec<TipSeat> {
+async fn tips(door: Asker<'_>, resolved: &Resolved, facts: &Indexed) -> Vec<TipSeat> {
     let each = asked::tips(facts).into_iter().map(|tip| async move {
-        let part = resolved.parts.iter().find(|p| p.id == tip.shaft.part.id)?;
+        // The facts have the parts in the same order.
+        let part = resolved.parts.get(facts.place(&tip.shaft.part.id)?)?;
         // The tip's frame in the shaft's own.
         let at = tip.shaft.part.placement?.inverse() * tip.screw.world()?;
         let normal = at.direction([0.0, 0.0, -1.0]);

@@ -1,8 +1,12 @@
 //! Rays through the triangles of solids: where they go in and out.
 
+use std::sync::Arc;
+
 use assemcad_kernel::mesh::Mesh;
 use assemcad_model::frame::Placement;
 use nalgebra::Vector3;
+
+use super::tree::{Box3, Tree};
 
 /// A crossing of a ray with a solid's surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -13,35 +17,74 @@ pub(super) struct Crossing {
     pub(super) enters: bool,
 }
 
-/// The surface of a placed solid.
-#[derive(Debug, Clone)]
+/// The surface of a solid in its own frame, with boxes about its triangles: one for all parts of a recipe.
+#[derive(Debug)]
 pub(super) struct Facets {
     points: Vec<Vector3<f64>>,
     triangles: Vec<[usize; 3]>,
-    /// A ball around the solid: its middle and its radius in mm.
-    centre: Vector3<f64>,
-    radius: f64,
+    tree: Tree,
     /// How far the triangles may be off the surface, in mm.
-    pub(super) deflection_mm: f64,
+    deflection_mm: f64,
 }
 
 impl Facets {
-    pub(super) fn new(mesh: &Mesh, at: &Placement, deflection_mm: f64) -> Self {
-        let world = |p: &[f64; 3]| Vector3::from(at.point(*p));
-        let points: Vec<Vector3<f64>> = mesh.positions.iter().map(world).collect();
-        let centre = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
-        let far = |p: &Vector3<f64>| (p - centre).norm();
+    pub(super) fn new(mesh: &Mesh, deflection_mm: f64) -> Self {
+        let points: Vec<Vector3<f64>> = mesh.positions.iter().map(|p| Vector3::from(*p)).collect();
+        let triangles: Vec<[usize; 3]> = mesh
+            .triangles
+            .iter()
+            .map(|t| t.map(|n| n as usize))
+            .collect();
+        let bounds = |t: &[usize; 3]| {
+            let corners = t.iter().filter_map(|n| points.get(*n));
+            corners.fold(Box3::NONE, |b, p| b.with([p.x, p.y, p.z]))
+        };
+        let boxes: Vec<Box3> = triangles.iter().map(bounds).collect();
         Self {
-            centre,
-            radius: points.iter().map(far).fold(0.0, f64::max),
+            tree: Tree::new(&boxes),
             points,
-            triangles: mesh
-                .triangles
-                .iter()
-                .map(|t| t.map(|n| n as usize))
-                .collect(),
+            triangles,
             deflection_mm,
         }
+    }
+}
+
+/// The surface of a placed solid.
+#[derive(Debug, Clone)]
+pub(super) struct PlacedFacets {
+    solid: Arc<Facets>,
+    at: Placement,
+    /// A ball around the solid: its middle and its radius in mm.
+    centre: Vector3<f64>,
+    radius: f64,
+}
+
+/// How much boxes are widened before a ray is taken to miss them, in mm: far above the rounding of placements.
+const WIDER_MM: f64 = 1e-6;
+
+impl PlacedFacets {
+    pub(super) fn new(solid: &Arc<Facets>, at: &Placement) -> Self {
+        let n = solid.points.len().max(1) as f64;
+        let middle = solid.points.iter().sum::<Vector3<f64>>() / n;
+        let far = |p: &Vector3<f64>| (p - middle).norm();
+        Self {
+            centre: Vector3::from(at.point(middle.into())),
+            radius: solid.points.iter().map(far).fold(0.0, f64::max),
+            solid: Arc::clone(solid),
+            at: *at,
+        }
+    }
+
+    fn world(&self, point: usize) -> Option<Vector3<f64>> {
+        let p = self.solid.points.get(point)?;
+        Some(Vector3::from(self.at.point((*p).into())))
+    }
+
+    /// The ball around the solid as a box.
+    pub(super) fn ball(&self) -> Box3 {
+        let (c, r) = (self.centre, self.radius + WIDER_MM);
+        let corner = |by: f64| [c.x + by, c.y + by, c.z + by];
+        Box3::NONE.with(corner(-r)).with(corner(r))
     }
 
     /// Whether the solid is farther than this from a line, judged by the ball around it.
@@ -51,48 +94,62 @@ impl Facets {
 
     /// How far the solid reaches along a direction, from a point.
     pub(super) fn reach(&self, from: &Vector3<f64>, along: &Vector3<f64>) -> f64 {
-        let reach = |p: &Vector3<f64>| (p - from).dot(along);
-        self.points
-            .iter()
-            .map(reach)
-            .fold(f64::NEG_INFINITY, f64::max)
+        let back = self.at.inverse();
+        let local = back.direction((*along).into());
+        let start = back.point((*from).into());
+        let ahead = |b: &Box3| b.ahead(&start, &local) + WIDER_MM;
+        self.solid.tree.greatest(ahead, |triangle| {
+            let corners = self.solid.triangles.get(triangle).into_iter().flatten();
+            let points = corners.filter_map(|n| self.world(*n));
+            points
+                .map(|p| (p - from).dot(along))
+                .fold(f64::NEG_INFINITY, f64::max)
+        })
     }
 
     /// Where a ray crosses the surface, ahead of its origin, in order. The direction is a unit vector.
     pub(super) fn crossings(&self, origin: &Vector3<f64>, along: &Vector3<f64>) -> Vec<Crossing> {
         // A view with the ray as its axis: it crosses what lies about the origin there.
         let view = View::along(*along);
-        let flat = |p: &Vector3<f64>| {
-            let arm = p - origin;
-            [arm.dot(&view.u), arm.dot(&view.v), arm.dot(&view.d)]
-        };
-        let points: Vec<[f64; 3]> = self.points.iter().map(flat).collect();
+        let back = self.at.inverse();
+        let (from, way) = (
+            back.point((*origin).into()),
+            back.direction((*along).into()),
+        );
         let mut out: Vec<Crossing> = Vec::new();
-        for corners in &self.triangles {
-            let Some([a, b, c]) = corners_of(&points, corners) else {
-                continue;
+        let meets = |b: &Box3| b.meets_ray(&from, &way, WIDER_MM);
+        self.solid.tree.visit(meets, |triangle| {
+            let Some([a, b, c]) = self.solid.triangles.get(triangle) else {
+                return;
             };
-            if let Some(crossing) = crossing([a, b, c], [0.0, 0.0]).filter(|c| c.at > 0.0) {
-                out.push(crossing);
+            let flat = |n: &usize| {
+                let arm = self.world(*n)? - origin;
+                Some([arm.dot(&view.u), arm.dot(&view.v), arm.dot(&view.d)])
+            };
+            if let (Some(a), Some(b), Some(c)) = (flat(a), flat(b), flat(c)) {
+                out.extend(crossing([a, b, c], [0.0, 0.0]).filter(|c| c.at > 0.0));
             }
-        }
+        });
         out.sort_by(|x, y| x.at.total_cmp(&y.at));
         out
     }
 
     pub(super) fn seen(&self, view: &View) -> Seen {
-        let flat = |p: &Vector3<f64>| [p.dot(&view.u), p.dot(&view.v), p.dot(&view.d)];
-        let points: Vec<[f64; 3]> = self.points.iter().map(flat).collect();
-        let start = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
-        let (low, high) = points.iter().fold(start, |(low, high), p| {
-            (each(low, *p, f64::min), each(high, *p, f64::max))
-        });
+        let world = |p: &Vector3<f64>| Vector3::from(self.at.point((*p).into()));
+        let flat = |p: Vector3<f64>| [p.dot(&view.u), p.dot(&view.v), p.dot(&view.d)];
+        let points: Vec<[f64; 3]> = self.solid.points.iter().map(|p| flat(world(p))).collect();
+        let bounds = points.iter().fold(Box3::NONE, |b, p| b.with(*p));
+        // From the solid's own frame to the view: across it only, for boxes.
+        let turn = self.at.rotation().transpose();
+        let origin = self.at.origin();
+        let across = [view.u, view.v].map(|a| ((turn * a).into(), origin.dot(&a)));
         Seen {
-            triangles: self.triangles.clone(),
+            solid: Arc::clone(&self.solid),
+            across,
             points,
-            low: low.into(),
-            high: high.into(),
-            deflection_mm: self.deflection_mm,
+            low: bounds.low.into(),
+            high: bounds.high.into(),
+            deflection_mm: self.solid.deflection_mm,
         }
     }
 }
@@ -153,8 +210,10 @@ impl View {
 /// A body as it is seen along a view: x and y across it, z along it.
 #[derive(Debug, Clone)]
 pub(super) struct Seen {
+    solid: Arc<Facets>,
+    /// The two directions across the view in the solid's own frame, and where its origin is along them.
+    across: [([f64; 3], f64); 2],
     points: Vec<[f64; 3]>,
-    triangles: Vec<[usize; 3]>,
     pub(super) low: Vector3<f64>,
     pub(super) high: Vector3<f64>,
     pub(super) deflection_mm: f64,
@@ -215,42 +274,124 @@ impl Grid {
 }
 
 impl Seen {
-    /// The crossings of each ray of a grid with the surface, in no order.
-    pub(super) fn crossings(&self, grid: &Grid) -> Vec<Vec<Crossing>> {
-        let mut out = vec![Vec::new(); grid.count()];
+    /// Calls for each triangle that may be over a rectangle across the view.
+    fn over(&self, [low, high]: [[f64; 2]; 2], mut found: impl FnMut([[f64; 3]; 3])) {
+        let [(u, x), (v, y)] = &self.across;
+        let ([left, bottom], [right, top]) = (low, high);
+        let meets = |b: &Box3| {
+            let (a, c) = (b.span(u, *x), b.span(v, *y));
+            a.0 <= right + WIDER_MM
+                && a.1 >= left - WIDER_MM
+                && c.0 <= top + WIDER_MM
+                && c.1 >= bottom - WIDER_MM
+        };
+        self.solid.tree.visit(meets, |triangle| {
+            let corners = self.solid.triangles.get(triangle);
+            if let Some(corners) = corners.and_then(|t| corners_of(&self.points, t)) {
+                found(corners);
+            }
+        });
+    }
+
+    /// Calls for each crossing of a ray of a grid with the surface, in no order. Says how much work it was.
+    pub(super) fn each_crossing(
+        &self,
+        grid: &Grid,
+        mut found: impl FnMut(usize, Crossing),
+    ) -> usize {
         let ([left, bottom], [w, h], [x, y]) = (grid.low, grid.cell, IN_CELL);
-        for corners in &self.triangles {
-            let Some([a, b, c]) = corners_of(&self.points, corners) else {
-                continue;
-            };
+        let n = grid.side as f64;
+        let mut work = 0;
+        let rectangle = [grid.low, [left + n * w, bottom + n * h]];
+        self.over(rectangle, |[a, b, c]| {
             let [low_x, low_y, _] = each(each(a, b, f64::min), c, f64::min);
             let [high_x, high_y, _] = each(each(a, b, f64::max), c, f64::max);
             let (i0, i1) = grid.between(low_x, high_x, left, w, x);
             let (j0, j1) = grid.between(low_y, high_y, bottom, h, y);
+            work += 1 + i1.saturating_sub(i0) * j1.saturating_sub(j0);
             for j in j0..j1 {
                 for i in i0..i1 {
                     let ray = j * grid.side + i;
-                    let found = crossing([a, b, c], grid.point(ray));
-                    if let (Some(ray), Some(crossing)) = (out.get_mut(ray), found) {
-                        ray.push(crossing);
+                    if let Some(crossing) = crossing([a, b, c], grid.point(ray)) {
+                        found(ray, crossing);
                     }
                 }
             }
-        }
+        });
+        work
+    }
+
+    /// The crossings of each ray of a grid with the surface, in no order.
+    pub(super) fn crossings(&self, grid: &Grid) -> Vec<Vec<Crossing>> {
+        let mut out = vec![Vec::new(); grid.count()];
+        self.each_crossing(grid, |ray, crossing| {
+            if let Some(ray) = out.get_mut(ray) {
+                ray.push(crossing);
+            }
+        });
         out
+    }
+
+    /// Where each ray of a grid first meets the surface and where it leaves it; the other way round where it does
+    /// not meet it.
+    pub(super) fn depths(&self, grid: &Grid) -> (Vec<Depth>, usize) {
+        let mut out = vec![Depth::NONE; grid.count()];
+        let work = self.each_crossing(grid, |ray, crossing| {
+            if let Some(ray) = out.get_mut(ray) {
+                ray.note(crossing.at);
+            }
+        });
+        (out, work)
+    }
+
+    /// The same for a single ray.
+    pub(super) fn depth(&self, at: [f64; 2]) -> Depth {
+        let mut out = Depth::NONE;
+        self.over([at, at], |corners| {
+            if let Some(crossing) = crossing(corners, at) {
+                out.note(crossing.at);
+            }
+        });
+        out
+    }
+}
+
+/// Where a ray first meets a surface and where it leaves it last.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Depth {
+    pub(super) first: f64,
+    pub(super) last: f64,
+}
+
+impl Depth {
+    const NONE: Self = Self {
+        first: f64::INFINITY,
+        last: f64::NEG_INFINITY,
+    };
+
+    /// Whether the ray does not meet the surface.
+    pub(super) fn is_none(&self) -> bool {
+        self.first > self.last
+    }
+
+    fn note(&mut self, at: f64) {
+        self.first = self.first.min(at);
+        self.last = self.last.max(at);
     }
 }
 
 #[cfg(test)]
 pub(super) mod tests {
-    use super::{Facets, Grid, View};
+    use super::{Facets, Grid, PlacedFacets, View};
     use assemcad_kernel::mesh::Mesh;
     use assemcad_model::frame::Placement;
     use nalgebra::Vector3;
+    use std::sync::Arc;
 
     /// The twelve triangles of a box, counter-clockwise from outside.
-    pub(crate) fn block(low: [f64; 3], high: [f64; 3]) -> Facets {
-        Facets::new(&block_mesh(low, high), &Placement::IDENTITY, 0.001)
+    pub(crate) fn block(low: [f64; 3], high: [f64; 3]) -> PlacedFacets {
+        let solid = Arc::new(Facets::new(&block_mesh(low, high), 0.001));
+        PlacedFacets::new(&solid, &Placement::IDENTITY)
     }
 
     pub(crate) fn block_mesh(low: [f64; 3], high: [f64; 3]) -> Mesh {

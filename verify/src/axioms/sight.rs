@@ -7,7 +7,7 @@
 
 use nalgebra::Vector3;
 
-use super::rays::{Crossing, Facets, Grid, Seen, View};
+use super::rays::{Crossing, Depth, Grid, Seen, View};
 
 /// Rays along either side of the rectangle in which both solids are seen.
 pub(super) const SIDE: usize = 40;
@@ -51,31 +51,174 @@ impl Stopped {
     }
 }
 
+/// What two solids have in common across a view, where they may stop each other.
+struct Common {
+    grid: Grid,
+    thick: f64,
+    /// Whether the second one is ahead of the first in part, and the first of the second.
+    ahead: bool,
+    behind: bool,
+}
+
+impl Common {
+    /// None where they are side by side, or touch along a line.
+    fn new(a: &Seen, b: &Seen) -> Option<Self> {
+        let thick = THICK * a.deflection_mm.max(b.deflection_mm);
+        let (low, high) = (a.low.sup(&b.low), a.high.inf(&b.high));
+        if high.x - low.x <= 2.0 * thick || high.y - low.y <= 2.0 * thick {
+            return None;
+        }
+        Some(Self {
+            grid: Grid::over([low.x, low.y], [high.x, high.y], SIDE),
+            thick,
+            // What is wholly behind stops nobody.
+            ahead: b.high.z > a.low.z + thick,
+            behind: a.high.z > b.low.z + thick,
+        })
+    }
+
+    /// Where rays are shifted to: a stop has to be there at every one of them, since thinner ones are the
+    /// triangles' own.
+    fn shifts(&self) -> [[f64; 2]; 5] {
+        let thick = self.thick;
+        [
+            [0.0, 0.0],
+            [thick, 0.0],
+            [-thick, 0.0],
+            [0.0, thick],
+            [0.0, -thick],
+        ]
+    }
+
+    /// Who stops whom on a ray.
+    fn stops(&self, a: &Depth, b: &Depth) -> Stops {
+        Stops {
+            first: self.ahead && b.last > a.first + self.thick,
+            second: self.behind && a.last > b.first + self.thick,
+        }
+    }
+
+    /// The same on a ray and on all that are beside it.
+    fn stops_at(&self, a: &Seen, b: &Seen, cell: usize, wanted: Stops) -> Stops {
+        let mut out = wanted;
+        for shift in self.shifts() {
+            if out == Stops::default() {
+                break;
+            }
+            let at = self.grid.shifted(shift).point(cell);
+            let one = a.depth(at);
+            // A ray that meets only one of them is free.
+            out = if one.is_none() {
+                Stops::default()
+            } else {
+                out.and(self.stops(&one, &b.depth(at)))
+            };
+        }
+        out
+    }
+}
+
+/// Who of two solids stops whom along the axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Stops {
+    /// The first cannot go all the way, because of the second.
+    pub(super) first: bool,
+    /// The second cannot.
+    pub(super) second: bool,
+}
+
+impl Stops {
+    fn and(self, other: Self) -> Self {
+        Self {
+            first: self.first && other.first,
+            second: self.second && other.second,
+        }
+    }
+
+    fn without(self, other: Self) -> Self {
+        Self {
+            first: self.first && !other.first,
+            second: self.second && !other.second,
+        }
+    }
+
+    fn or(self, other: Self) -> Self {
+        Self {
+            first: self.first || other.first,
+            second: self.second || other.second,
+        }
+    }
+
+    /// The same, seen the other way along the axis.
+    pub(super) fn turned(self) -> Self {
+        Self {
+            first: self.second,
+            second: self.first,
+        }
+    }
+}
+
+/// Every so many rays along either side are tried alone before all of them are: what stands on something is mostly
+/// stopped there.
+const APART: usize = 10;
+
+/// Who of two solids stops whom along a view: as [`look`] finds it, without how far they can go. And how much
+/// work it was.
+pub(super) fn whether(view: &View, a: &Seen, b: &Seen, passages: &[Passage]) -> (Stops, usize) {
+    let Some(common) = Common::new(a, b) else {
+        return (Stops::default(), 1);
+    };
+    let wanted = Stops {
+        first: common.ahead,
+        second: common.behind,
+    };
+    let cells = open_cells(view, &common.grid, passages, common.thick);
+    let mut found = Stops::default();
+    let mut work = 1;
+    let half = APART / 2;
+    let few = |c: &&usize| *c % SIDE % APART == half && *c / SIDE % APART == half;
+    for cell in cells.iter().filter(few) {
+        let left = wanted.without(found);
+        if left == Stops::default() {
+            return (found, work);
+        }
+        found = found.or(common.stops_at(a, b, *cell, left));
+        work += 20;
+    }
+    if wanted.without(found) == Stops::default() || cells.is_empty() {
+        return (found, work);
+    }
+    let ((in_a, one), (in_b, other)) = (a.depths(&common.grid), b.depths(&common.grid));
+    work += one + other + common.grid.count();
+    for cell in cells {
+        let left = wanted.without(found);
+        if left == Stops::default() {
+            break;
+        }
+        if let (Some(one), Some(other)) = (in_a.get(cell), in_b.get(cell)) {
+            let here = left.and(common.stops(one, other));
+            if here != Stops::default() {
+                found = found.or(common.stops_at(a, b, cell, here));
+                work += 20;
+            }
+        }
+    }
+    (found, work)
+}
+
 /// Looks at two solids along a view.
 pub(super) fn look(view: &View, a: &Seen, b: &Seen, passages: &[Passage]) -> Stopped {
-    let thick = THICK * a.deflection_mm.max(b.deflection_mm);
-    let (low, high) = (a.low.sup(&b.low), a.high.inf(&b.high));
-    // Side by side, or touching along a line.
-    if high.x - low.x <= 2.0 * thick || high.y - low.y <= 2.0 * thick {
+    let Some(common) = Common::new(a, b) else {
         return Stopped::default();
-    }
-    let grid = Grid::over([low.x, low.y], [high.x, high.y], SIDE);
-    // What is wholly behind stops nobody.
-    let (ahead, behind) = (b.high.z > a.low.z + thick, a.high.z > b.low.z + thick);
-    let mut cells = open_cells(view, &grid, passages, thick);
+    };
+    let (thick, ahead, behind) = (common.thick, common.ahead, common.behind);
+    let mut cells = open_cells(view, &common.grid, passages, thick);
     let mut out: Vec<(usize, Stopped)> = Vec::new();
-    let shifts = [
-        [0.0, 0.0],
-        [thick, 0.0],
-        [-thick, 0.0],
-        [0.0, thick],
-        [0.0, -thick],
-    ];
-    for (n, shift) in shifts.into_iter().enumerate() {
+    for (n, shift) in common.shifts().into_iter().enumerate() {
         if cells.is_empty() {
             return Stopped::default();
         }
-        let grid = grid.shifted(shift);
+        let grid = common.grid.shifted(shift);
         let (in_a, in_b) = (a.crossings(&grid), b.crossings(&grid));
         let at = |cell: usize| {
             let (a, b) = (in_a.get(cell)?, in_b.get(cell)?);
@@ -88,7 +231,6 @@ pub(super) fn look(view: &View, a: &Seen, b: &Seen, passages: &[Passage]) -> Sto
         if n == 0 {
             out = cells.iter().filter_map(|c| at(*c)).collect();
         } else {
-            // A stop has to be there at every one of the shifted rays: thinner ones are the triangles' own.
             out = out
                 .into_iter()
                 .filter_map(|(cell, known)| {
@@ -163,78 +305,13 @@ fn play(own: &[Crossing], other: &[Crossing], thick: f64) -> Option<f64> {
     Some(if least.is_finite() { least } else { 0.0 })
 }
 
-/// The bodies of an assembly, looked at along axes; what was seen once is kept.
-pub(super) struct Looker<'a> {
-    bodies: &'a [Option<Facets>],
-    passages: &'a dyn Fn(usize, usize) -> Vec<Passage>,
-    /// The views so far: axis, what the bodies look like, what was found for pairs.
-    views: Vec<Sighting>,
-    /// How many pairs may be looked at yet.
-    left: usize,
-}
-
-struct Sighting {
-    view: View,
-    seen: Vec<Option<Seen>>,
-    known: std::collections::BTreeMap<(usize, usize), Stopped>,
-}
-
-impl<'a> Looker<'a> {
-    pub(super) fn new(
-        bodies: &'a [Option<Facets>],
-        passages: &'a dyn Fn(usize, usize) -> Vec<Passage>,
-        most: usize,
-    ) -> Self {
-        Self {
-            bodies,
-            passages,
-            views: Vec::new(),
-            left: most,
-        }
-    }
-
-    /// What stops two bodies along an axis, a unit vector; none where one of them is not known, or too many
-    /// pairs were looked at.
-    pub(super) fn pair(&mut self, axis: &Vector3<f64>, i: usize, j: usize) -> Option<Stopped> {
-        let parallel = |s: &Sighting| s.view.d.cross(axis).norm() <= 1e-9;
-        let at = match self.views.iter().position(parallel) {
-            Some(at) => at,
-            None => {
-                let view = View::along(*axis);
-                let seen = |b: &Option<Facets>| b.as_ref().map(|b| b.seen(&view));
-                self.views.push(Sighting {
-                    view,
-                    seen: self.bodies.iter().map(seen).collect(),
-                    known: std::collections::BTreeMap::new(),
-                });
-                self.views.len() - 1
-            }
-        };
-        let sighting = self.views.get_mut(at)?;
-        let same = sighting.view.d.dot(axis) > 0.0;
-        let found = match sighting.known.get(&(i, j)) {
-            Some(known) => *known,
-            None => {
-                let (a, b) = (
-                    sighting.seen.get(i)?.as_ref()?,
-                    sighting.seen.get(j)?.as_ref()?,
-                );
-                self.left = self.left.checked_sub(1)?;
-                let found = look(&sighting.view, a, b, &(self.passages)(i, j));
-                sighting.known.insert((i, j), found);
-                found
-            }
-        };
-        Some(if same { found } else { found.turned() })
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::rays::View;
     use super::super::rays::tests::block;
-    use super::{Passage, Ring, Stopped, look};
+    use super::{Passage, Ring, Stopped, Stops, look, whether};
     use nalgebra::Vector3;
+    use proptest::prelude::*;
 
     fn along(
         d: Vector3<f64>,
@@ -285,5 +362,35 @@ mod tests {
         // Across the axis a thread lets nothing pass.
         let found = along(Vector3::x(), low, ([4.0; 3], [16.0; 3]), &[ring(0.0, 99.0)]);
         assert!(found.first.is_some() && found.second.is_some());
+    }
+
+    fn some_block() -> impl Strategy<Value = ([f64; 3], [f64; 3])> {
+        let low = prop::array::uniform3(-5.0..5.0f64);
+        let size = prop::array::uniform3(0.1..8.0f64);
+        (low, size).prop_map(|(l, s)| (l, core::array::from_fn(|k| l[k] + s[k])))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Whether one stops the other is what measuring it finds, in rings that let pass too.
+        #[test]
+        fn to_ask_whether_is_to_ask_how_far(
+            a in some_block(),
+            b in some_block(),
+            d in prop::array::uniform3(-1.0..1.0f64),
+            outer_mm in 0.0..6.0f64,
+        ) {
+            let d = Vector3::from(d);
+            prop_assume!(d.norm() > 0.1);
+            let view = View::along(d.normalize());
+            let (a, b) = (block(a.0, a.1).seen(&view), block(b.0, b.1).seen(&view));
+            let ring = Ring { point: Vector3::zeros(), axis: view.d, inner_mm: 1.0, outer_mm };
+            for passages in [Vec::new(), vec![Passage { rings: vec![ring] }]] {
+                let far = look(&view, &a, &b, &passages);
+                let wanted = Stops { first: far.first.is_some(), second: far.second.is_some() };
+                prop_assert_eq!(whether(&view, &a, &b, &passages).0, wanted);
+            }
+        }
     }
 }

@@ -1,5 +1,7 @@
 //! From findings to axioms: those that a finding breaks, and those that the mates between its parts cite.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use assemcad_axioms::knowledge::axiom;
 use assemcad_axioms::ruling::Ruling;
 use assemcad_axioms::{Axiom, Status};
@@ -65,14 +67,24 @@ fn same(axiom: &Axiom, told: &Ruling, finding: &Finding) -> bool {
 
 /// Notes in every finding the axioms that the mates between its parts cite.
 pub(super) fn cited(spec: &Assembly, results: &mut Results) {
+    let mut on: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    let mut by_id: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for (i, m) in spec.mates.iter().enumerate() {
+        by_id.entry(&m.id).or_default().push(i);
+        on.entry(&m.base.part).or_default().push(i);
+    }
     for finding in &mut results.findings {
-        let between = |base: &String, incoming: &String| {
-            finding.parts.contains(base) && finding.parts.contains(incoming)
-        };
-        let mates = spec.mates.iter().filter(|m| {
-            finding.mates.contains(&m.id)
-                || (finding.parts.len() > 1 && between(&m.base.part, &m.incoming.part))
-        });
+        let named = finding.mates.iter().filter_map(|m| by_id.get(m.as_str()));
+        let mut about: BTreeSet<usize> = named.flatten().copied().collect();
+        if finding.parts.len() > 1 {
+            let parts: BTreeSet<&str> = finding.parts.iter().map(String::as_str).collect();
+            let bases = parts.iter().filter_map(|p| on.get(p)).flatten();
+            about.extend(bases.filter(|i| {
+                let mate = spec.mates.get(**i);
+                mate.is_some_and(|m| parts.contains(m.incoming.part.as_str()))
+            }));
+        }
+        let mates = about.into_iter().filter_map(|i| spec.mates.get(i));
         let mut ids: Vec<&str> = mates
             .flat_map(|m| m.axioms.iter().map(String::as_str))
             .collect();

@@ -1,77 +1,113 @@
 //! Along which axes an assembly comes apart, and what stops its shafts.
 
-use assemcad_axioms::apart::groups;
-use assemcad_axioms::asked;
-use assemcad_axioms::facts::{Facts, Side, Stop, Thrust, Unseen, Way, Ways};
+use std::collections::{BTreeMap, BTreeSet};
+
+use assemcad_axioms::apart::Apart;
+use assemcad_axioms::asked::{self, END_PLAY_MM};
+use assemcad_axioms::facts::{MateFacts, Side, Stop, Thrust, Unseen, Way, Ways};
+use assemcad_axioms::indexed::Indexed;
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 use nalgebra::Vector3;
 
-use super::rays::Facets;
-use super::sight::{Looker, Passage, Ring, SIDE, Stopped};
+use super::limit::Limit;
+use super::looker::{Looker, Pair};
+use super::rays::PlacedFacets;
+use super::sight::{Passage, Ring, SIDE};
 use crate::terms::DEFAULT_TAU_MM3;
 
-/// How many pairs are looked at, one axis each, before the question is left open: some seconds of work.
-const MOST_LOOKS: usize = 4000;
+/// How much is looked at before the question is left open, in crossings of rays with triangles: tens of seconds,
+/// a hundred times what a thousand parts took.
+pub(super) const MOST_WORK: usize = 4_000_000_000;
 
 /// What is in whose way along the axes of the mates and the world, as far as it takes to see the parts come
 /// apart; along the diagonals too where they do not. And what stops each shaft along its own axis.
 pub(super) fn look(
-    facts: &Facts,
-    bodies: &[Option<Facets>],
+    facts: &Indexed,
+    bodies: &[Option<PlacedFacets>],
+    limit: &Limit,
     mut open: Vec<Unseen>,
 ) -> (Ways, Vec<Thrust>) {
-    let passages = |i: usize, j: usize| passages(facts, i, j);
-    let mut looker = Looker::new(bodies, &passages, MOST_LOOKS);
-    let parts: Vec<String> = facts
+    let passages = all_passages(facts);
+    let clashes = clashes(facts, &passages);
+    let mut looker = Looker::new(bodies, passages, limit);
+    let there = facts.parts.iter().zip(bodies).enumerate();
+    let there: Vec<usize> = there
+        .filter(|(_, (p, b))| p.placement.is_some() && b.is_some())
+        .map(|(i, _)| i)
+        .collect();
+    let name = |i: usize| facts.parts.get(i).map(|p| p.id.clone()).unwrap_or_default();
+    // The place of each part among those that are there.
+    let place: BTreeMap<usize, usize> = there.iter().copied().zip(0..).collect();
+    let mut apart = Apart::new(there.len());
+    let mut arrows: Vec<Vec<(usize, usize)>> = Vec::new();
+    let mut axes: Vec<Way> = Vec::new();
+    for axis in directions(facts) {
+        if apart.is_done() {
+            break;
+        }
+        let group = |i: usize| apart.of(*place.get(&i)?);
+        let together =
+            |(i, j): Pair| group(i).is_some() && group(i) == group(j) && !clashes.contains(&(i, j));
+        let Some(found) = looker.stops(&axis, together) else {
+            let left = apart.each().into_iter().filter(|g| g.len() > 1).flatten();
+            open.extend(left.filter_map(|p| there.get(p)).map(|i| Unseen {
+                part: name(*i),
+                why: "so many parts are in line with each other that to look at all of them would take too long"
+                    .to_owned(),
+            }));
+            break;
+        };
+        let each = found.iter().flat_map(|((i, j), s)| {
+            let first = s.first.then_some((*i, *j));
+            first.into_iter().chain(s.second.then_some((*j, *i)))
+        });
+        let stops: Vec<(usize, usize)> = each.collect();
+        let arrow = |(part, by): &(usize, usize)| Some((*place.get(part)?, *place.get(by)?));
+        arrows.push(stops.iter().filter_map(arrow).collect());
+        axes.push(Way {
+            axis: axis.into(),
+            stops: stops
+                .into_iter()
+                .map(|(part, by)| Stop {
+                    part: name(part),
+                    by: name(by),
+                    play_mm: 0.0,
+                })
+                .collect(),
+        });
+        // What came apart along one axis may come apart further along another.
+        while arrows.iter().any(|a| apart.along(a)) {}
+    }
+    let whole = facts
         .parts
         .iter()
         .zip(bodies)
-        .filter(|(p, b)| p.placement.is_some() && b.is_some())
-        .map(|(p, _)| p.id.clone())
-        .collect();
-    let mut axes: Vec<Way> = Vec::new();
-    for axis in directions(facts) {
-        let left = groups(&parts, &axes);
-        let together: Vec<(usize, usize)> = left.iter().flat_map(|g| pairs(facts, g)).collect();
-        if together.is_empty() {
-            break;
-        }
-        match stops(facts, &mut looker, &axis, &together) {
-            Some(stops) => axes.push(Way {
-                axis: axis.into(),
-                stops,
-            }),
-            None => {
-                open.extend(
-                    left.iter()
-                        .filter(|g| g.len() > 1)
-                        .flatten()
-                        .map(|p| Unseen {
-                            part: p.clone(),
-                            why: format!(
-                                "more than {MOST_LOOKS} looks at pairs of parts would be needed"
-                            ),
-                        }),
-                );
-                break;
-            }
-        }
-    }
-    let all = pairs(facts, &parts);
+        .all(|(p, b)| p.placement.is_none() || b.is_some());
     let thrust = |carried: asked::Carried<'_>| {
-        let known = |part: &Side<'_>| {
-            let axis = part.world()?.axes()[2];
-            // A part that cannot be seen may be what holds the shaft.
-            let whole = facts
-                .parts
-                .iter()
-                .all(|p| p.placement.is_none() || parts.contains(&p.id));
-            whole.then_some(axis)
+        // A part that cannot be seen may be what holds the shaft.
+        let axis = carried.shaft.world().filter(|_| whole);
+        let axis = axis.map(|at| at.axes()[2]);
+        let stops = axis.and_then(|axis| {
+            let all = |pair: Pair| !clashes.contains(&pair);
+            looker.stopped(&axis, all, END_PLAY_MM)
+        });
+        let stop = |part: usize, by: usize, play: Option<f64>| {
+            play.map(|play_mm| Stop {
+                part: name(part),
+                by: name(by),
+                play_mm,
+            })
+        };
+        let named = |stops: Vec<_>| -> Vec<Stop> {
+            let both = |((i, j), s): (Pair, super::sight::Stopped)| {
+                [stop(i, j, s.first), stop(j, i, s.second)]
+            };
+            stops.into_iter().flat_map(both).flatten().collect()
         };
         Thrust {
             shaft: carried.shaft.part.id.clone(),
-            stops: known(&carried.shaft).and_then(|axis| stops(facts, &mut looker, &axis, &all)),
+            stops: stops.map(named),
         }
     };
     let thrusts = asked::shafts_in_bearings(facts).into_iter().map(thrust);
@@ -84,64 +120,46 @@ pub(super) fn look(
     (ways, thrusts)
 }
 
-/// The pairs of some parts, by index.
-fn pairs(facts: &Facts, parts: &[String]) -> Vec<(usize, usize)> {
-    let index = |id: &String| facts.parts.iter().position(|p| p.id == *id);
-    let at: Vec<usize> = parts.iter().filter_map(index).collect();
-    let each = at.iter().enumerate();
-    each.flat_map(|(n, i)| at.iter().skip(n + 1).map(move |j| (*i, *j)))
-        .collect()
+/// Two parts by their places, the earlier one first.
+fn pair(facts: &Indexed, a: &str, b: &str) -> Option<Pair> {
+    let (i, j) = (facts.place(a)?, facts.place(b)?);
+    Some((i.min(j), i.max(j)))
 }
 
-/// What stops what of some pairs along an axis; none where not all of them could be looked at. Pairs that
-/// overlap more than their mates mean are left out, whether the caller lets them pass or not: in each other as
+/// The pairs that overlap more than their mates mean, whether the caller lets them pass or not: in each other as
 /// they are, they would be in each other's way for ever.
-fn stops(
-    facts: &Facts,
-    looker: &mut Looker<'_>,
-    axis: &Vector3<f64>,
-    pairs: &[(usize, usize)],
-) -> Option<Vec<Stop>> {
-    let clash = |i: usize, j: usize, a: &str, b: &str| {
-        let both = |x: &str, y: &str| (x == a && y == b) || (x == b && y == a);
-        let mut all = facts.measured.overlaps.iter().flatten();
-        let most = |allowed: f64| match passages(facts, i, j).is_empty() {
-            true => DEFAULT_TAU_MM3,
-            false => allowed,
+fn clashes(facts: &Indexed, passages: &BTreeMap<Pair, Vec<Passage>>) -> BTreeSet<Pair> {
+    let all = facts.measured.overlaps.iter().flatten();
+    all.filter_map(|o| {
+        let pair = pair(facts, &o.a, &o.b)?;
+        let most = match passages.get(&pair) {
+            None => DEFAULT_TAU_MM3,
+            Some(_) => o.allowed_mm3,
         };
-        all.any(|o| both(&o.a, &o.b) && o.common_mm3.is_some_and(|c| c > most(o.allowed_mm3)))
-    };
-    let mut out = Vec::new();
-    for (i, j) in pairs {
-        let (a, b) = (&facts.parts.get(*i)?.id, &facts.parts.get(*j)?.id);
-        if clash(*i, *j, a, b) {
-            continue;
-        }
-        let Stopped { first, second } = looker.pair(axis, *i, *j)?;
-        let stop = |part: &String, by: &String, play_mm| Stop {
-            part: part.clone(),
-            by: by.clone(),
-            play_mm,
-        };
-        out.extend(first.map(|play| stop(a, b, play)));
-        out.extend(second.map(|play| stop(b, a, play)));
-    }
-    Some(out)
+        (o.common_mm3? > most).then_some(pair)
+    })
+    .collect()
 }
 
 /// The axes to look along: those of the mates, the most frequent first, those of the world, then the
 /// diagonals of the world's planes and octants.
-fn directions(facts: &Facts) -> Vec<Vector3<f64>> {
+fn directions(facts: &Indexed) -> Vec<Vector3<f64>> {
     let mut found: Vec<(Vector3<f64>, usize)> = Vec::new();
-    let mut note = |axis: Vector3<f64>, count: usize| match found
-        .iter_mut()
-        .find(|(a, _)| a.cross(&axis).norm() <= 1e-9)
-    {
-        Some((_, n)) => *n += count,
-        None => found.push((axis, count)),
+    // Mates of one direction are one step: what is the same to the last digit is found at once.
+    let mut known: BTreeMap<[u64; 3], usize> = BTreeMap::new();
+    let mut note = |axis: Vector3<f64>, count: usize| {
+        let bits = <[f64; 3]>::from(axis).map(f64::to_bits);
+        let at = *known.entry(bits).or_insert_with(|| {
+            let near = |(a, _): &(Vector3<f64>, usize)| a.cross(&axis).norm() <= 1e-9;
+            found.iter().position(near).unwrap_or(found.len())
+        });
+        match found.get_mut(at) {
+            Some((_, n)) => *n += count,
+            None => found.push((axis, count)),
+        }
     };
     for m in &facts.mates {
-        if let Some(at) = facts.side(&m.base).and_then(|s| s.world()) {
+        if let Some(at) = facts.sides(m).and_then(|(base, _)| base.world()) {
             note(at.axes()[2], 1);
         }
     }
@@ -170,33 +188,37 @@ const DIAGONALS: [[f64; 3]; 10] = [
     [1.0, -1.0, -1.0],
 ];
 
-/// Where two parts pass through each other by their mates: screws in their threads, what is pressed in, and
-/// the teeth of helical gears, which are screwed out along their axis.
-fn passages(facts: &Facts, i: usize, j: usize) -> Vec<Passage> {
-    let (Some(a), Some(b)) = (facts.parts.get(i), facts.parts.get(j)) else {
-        return Vec::new();
+/// Where parts pass through each other by their mates: screws in their threads, what is pressed in, and the teeth
+/// of helical gears, which are screwed out along their axis.
+fn all_passages(facts: &Indexed) -> BTreeMap<Pair, Vec<Passage>> {
+    let mut out: BTreeMap<Pair, Vec<Passage>> = BTreeMap::new();
+    for m in &facts.mates {
+        let pair = pair(facts, &m.base.part, &m.incoming.part);
+        if let Some((pair, passage)) = pair.zip(passage(facts, m)) {
+            out.entry(pair).or_default().push(passage);
+        }
+    }
+    out
+}
+
+fn passage(facts: &Indexed, m: &MateFacts) -> Option<Passage> {
+    let (base, incoming) = facts.sides(m)?;
+    let rings = match m.mate_type {
+        MateType::ThreadEngage => {
+            let of = |s: &Side<'_>, name: &str| s.port.value(name) / 2.0;
+            let modelled = "modelled_diameter";
+            let inner = of(&base, modelled).min(of(&incoming, modelled));
+            let outer = of(&base, "diameter").max(of(&incoming, "diameter"));
+            vec![ring(&base, inner, outer)?]
+        }
+        MateType::PressFit => {
+            let (one, two) = (base.port.value("diameter"), incoming.port.value("diameter"));
+            vec![ring(&base, one.min(two) / 2.0, one.max(two) / 2.0)?]
+        }
+        MateType::GearMesh => vec![teeth(&base)?, teeth(&incoming)?],
+        _ => return None,
     };
-    let both = facts.mates.iter().filter(|m| m.has(&a.id) && m.has(&b.id));
-    both.filter_map(|m| {
-        let (base, incoming) = facts.sides(m)?;
-        let rings = match m.mate_type {
-            MateType::ThreadEngage => {
-                let of = |s: &Side<'_>, name: &str| s.port.value(name) / 2.0;
-                let modelled = "modelled_diameter";
-                let inner = of(&base, modelled).min(of(&incoming, modelled));
-                let outer = of(&base, "diameter").max(of(&incoming, "diameter"));
-                vec![ring(&base, inner, outer)?]
-            }
-            MateType::PressFit => {
-                let (one, two) = (base.port.value("diameter"), incoming.port.value("diameter"));
-                vec![ring(&base, one.min(two) / 2.0, one.max(two) / 2.0)?]
-            }
-            MateType::GearMesh => vec![teeth(&base)?, teeth(&incoming)?],
-            _ => return None,
-        };
-        Some(Passage { rings })
-    })
-    .collect()
+    Some(Passage { rings })
 }
 
 fn ring(side: &Side<'_>, inner_mm: f64, outer_mm: f64) -> Option<Ring> {
@@ -226,8 +248,9 @@ fn teeth(side: &Side<'_>) -> Option<Ring> {
 #[cfg(test)]
 mod tests {
     use super::super::rays::tests::block;
-    use super::{directions, look, passages};
-    use assemcad_axioms::facts::Facts;
+    use super::{MOST_WORK, all_passages, directions, look};
+    use crate::axioms::limit::Limit;
+    use assemcad_axioms::indexed::Indexed;
     use serde_json::{Value, json};
 
     fn port(name: &str, port_type: &str, at: [f64; 3], params: Value) -> Value {
@@ -235,22 +258,26 @@ mod tests {
         json!({"name": name, "type": port_type, "frame": frame, "params": params})
     }
 
-    fn facts(mate: &str, one: Value, two: Value) -> Facts {
+    fn facts(mate: &str, one: Value, two: Value) -> Indexed {
         let here = json!([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]);
         let part = |id: &str, port: Value| json!({"id": id, "factory": "user.part", "ports": [port], "placement": here});
-        serde_json::from_value(json!({
+        let facts = serde_json::from_value(json!({
             "parts": [part("one", one), part("two", two)],
             "mates": [{
                 "id": "m", "mate_type": mate, "base": {"ref": "one", "port": "p"},
                 "incoming": {"ref": "two", "port": "p"},
             }],
-        }))
-        .unwrap()
+        }));
+        Indexed::new(facts.unwrap())
     }
 
-    fn rings(facts: &Facts) -> Vec<(f64, f64)> {
-        let all = passages(facts, 1, 0);
-        let rings = all.iter().flat_map(|p| &p.rings);
+    fn rings(facts: &Indexed) -> Vec<(f64, f64)> {
+        let all = all_passages(facts);
+        let rings = all
+            .get(&(0, 1))
+            .into_iter()
+            .flatten()
+            .flat_map(|p| &p.rings);
         rings.map(|r| (r.inner_mm, r.outer_mm)).collect()
     }
 
@@ -311,12 +338,13 @@ mod tests {
         assert_eq!(directions(&facts).len(), 13);
         let lid = Some(block([0.0, 0.0, 10.0], [10.0, 10.0, 12.0]));
         let stone = Some(block([0.0; 3], [10.0; 3]));
-        let (ways, thrusts) = look(&facts, &[stone.clone(), lid], Vec::new());
+        let (limit, _waiting) = Limit::new(MOST_WORK);
+        let (ways, thrusts) = look(&facts, &[stone.clone(), lid], &limit, Vec::new());
         assert_eq!((ways.axes.len(), thrusts.len()), (1, 0));
         let stops = &ways.axes[0].stops;
         assert_eq!((stops.len(), stops[0].part.as_str()), (1, "one"));
         // A part that cannot be seen is in no group, and its caller says so.
-        let (ways, _) = look(&facts, &[stone, None], Vec::new());
+        let (ways, _) = look(&facts, &[stone, None], &limit, Vec::new());
         assert!(ways.axes.is_empty());
     }
 }

@@ -1,12 +1,14 @@
 //! The check `clearance`: parts that do not touch are no nearer to each other than was asked for.
 
+use std::collections::BTreeMap;
+
 use assemcad_factories::failure::diagnostic;
 use assemcad_geometry::Asker;
 use assemcad_kernel::asked::Chosen;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{Finding, NearMiss, Overlapping, PairFacts, Verdict, rounded};
-use assemcad_placing::Assembled;
-use assemcad_placing::solids::apart;
+use assemcad_placing::solids::near_pairs;
+use assemcad_placing::{Assembled, Box3};
 use futures::future::join_all;
 use serde_json::{Map, json};
 
@@ -26,25 +28,27 @@ pub(crate) async fn check(
     results: &mut Results,
 ) -> Vec<NearMiss> {
     let resolved = assembled.resolved;
-    let (mut near, mut cases) = (Vec::new(), 0);
-    for i in 0..resolved.parts.len() {
-        for j in i + 1..resolved.parts.len() {
-            let (Some(a), Some(b)) = (assembled.world_box(i), assembled.world_box(j)) else {
-                continue;
-            };
-            if resolved.between(i, j).next().is_some() {
-                continue;
-            }
-            cases += 1;
-            if !apart(&a, &b, clearance_mm) {
-                near.push((i, j));
-            }
-        }
-    }
+    let all = 0..resolved.parts.len();
+    let boxes: Vec<Option<Box3>> = all.map(|i| assembled.world_box(i)).collect();
+    let known = |i: usize| boxes.get(i).is_some_and(Option::is_some);
+    let count = boxes.iter().flatten().count();
+    let mated = resolved.mates_by_pair();
+    let mated_too = mated
+        .keys()
+        .filter(|(i, j)| i != j && known(*i) && known(*j));
+    let cases = count * count.saturating_sub(1) / 2 - mated_too.count();
+    let mut near = near_pairs(&boxes, clearance_mm);
+    near.retain(|pair| !mated.contains_key(pair));
+    let by_names: BTreeMap<(&str, &str), &PairFacts> = pairs
+        .iter()
+        .rev()
+        .map(|p| ((p.a.as_str(), p.b.as_str()), p))
+        .collect();
+    let by_names = &by_names;
     let asked = near.len();
     let found = join_all(near.into_iter().map(|(i, j)| async move {
         let (a, b) = (resolved.name(i), resolved.name(j));
-        let pair = pairs.iter().find(|p| p.a == a && p.b == b);
+        let pair = by_names.get(&(a.as_str(), b.as_str()));
         // What overlaps, or may, is told by the check of interference.
         if pair.is_some_and(|p| p.class != Overlapping::None) {
             return None;

@@ -1,5 +1,7 @@
 //! The check `connectivity`: the root holds every part over mates.
 
+use std::collections::BTreeSet;
+
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::Verdict;
 use assemcad_model::spec::Assembly;
@@ -34,7 +36,8 @@ pub(crate) fn check(spec: &Assembly, resolved: &Resolved, results: &mut Results)
         island
     };
     let mut islands = Vec::new();
-    let mut joined = resolved.root.map(&mut reach).unwrap_or_default();
+    let root = resolved.root.map(&mut reach);
+    let mut joined: BTreeSet<usize> = root.into_iter().flatten().collect();
     for i in 0..nodes.len() {
         if !joined.contains(&i) {
             let island = reach(i);

@@ -5,6 +5,8 @@
 //! about the stated axis (a shared edge has none); press fits and threads by their overlap; gears by the
 //! flanks that meet when one gear is turned by the backlash window either way.
 
+use std::collections::BTreeMap;
+
 use assemcad_factories::failure::diagnostic;
 use assemcad_geometry::{Asker, PlacedSolid};
 use assemcad_kernel::contact::{Touch, Where};
@@ -40,6 +42,7 @@ pub(crate) async fn check(
     tau: f64,
     results: &mut Results,
 ) {
+    let pairs = &by_names(pairs);
     let found = join_all(resolved.mates.iter().map(|m| async move {
         let contact = m.mate.mate_type.kind().contact(&m.joint())?;
         // Mates of parts without a place are open already.
@@ -82,7 +85,7 @@ async fn shown(
     m: &ResolvedMate,
     contact: Contact,
     (at_base, at_incoming): (Placement, Placement),
-    pairs: &[PairFacts],
+    pairs: &ByNames<'_>,
     tau: f64,
 ) -> Shown {
     let place = format!("mate '{}'", m.mate.id);
@@ -223,12 +226,22 @@ impl Shown {
     }
 }
 
+/// Pairs by the names of their parts, the lesser name first.
+type ByNames<'a> = BTreeMap<(&'a str, &'a str), &'a PairFacts>;
+
+fn by_names(pairs: &[PairFacts]) -> ByNames<'_> {
+    let mut out = ByNames::new();
+    for p in pairs {
+        let (a, b) = (p.a.as_str(), p.b.as_str());
+        out.entry((a.min(b), a.max(b))).or_insert(p);
+    }
+    out
+}
+
 /// What was found of the pair that a mate joins.
-fn between<'a>(m: &ResolvedMate, pairs: &'a [PairFacts]) -> Option<&'a PairFacts> {
-    let (a, b) = (&m.mate.base.part, &m.mate.incoming.part);
-    pairs
-        .iter()
-        .find(|p| (p.a == *a && p.b == *b) || (p.a == *b && p.b == *a))
+fn between<'a>(m: &ResolvedMate, pairs: &ByNames<'a>) -> Option<&'a PairFacts> {
+    let (a, b) = (m.mate.base.part.as_str(), m.mate.incoming.part.as_str());
+    pairs.get(&(a.min(b), a.max(b))).copied()
 }
 
 /// A press fit or a thread is where its parts overlap: at least half of what the mate says, since chamfers

@@ -5,8 +5,8 @@ use assemcad_kernel::protocol::CommonVolume;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{Finding, Overlapping, PairFacts, Verdict, rounded};
 use assemcad_model::spec::Assembly;
-use assemcad_placing::solids::{BOX_MARGIN_MM, apart, common_volume};
-use assemcad_placing::{Assembled, Resolved};
+use assemcad_placing::solids::{BOX_MARGIN_MM, common_volume, near_pairs};
+use assemcad_placing::{Assembled, Box3, Resolved, ResolvedMate};
 use futures::future::join_all;
 use serde_json::{Map, json};
 
@@ -27,23 +27,23 @@ pub(crate) async fn check(
     results: &mut Results,
 ) -> Vec<PairFacts> {
     let (resolved, placements) = (assembled.resolved, assembled.placements);
-    let mut near = Vec::new();
-    let mut cases = 0;
-    let mut unknown = Vec::new();
-    for i in 0..resolved.parts.len() {
-        for j in i + 1..resolved.parts.len() {
-            // Parts without a place are in no pair; connectivity reports them.
-            let (Some(_), Some(_)) = (placements.of(i), placements.of(j)) else {
-                continue;
-            };
-            cases += 1;
-            match (assembled.world_box(i), assembled.world_box(j)) {
-                (Some(a), Some(b)) if apart(&a, &b, BOX_MARGIN_MM) => {}
-                (Some(_), Some(_)) => near.push((i, j)),
-                _ => unknown.push((i, j)),
-            }
-        }
+    // Parts without a place are in no pair; connectivity reports them.
+    let all = 0..resolved.parts.len();
+    let there: Vec<usize> = all
+        .clone()
+        .filter(|i| placements.of(*i).is_some())
+        .collect();
+    let cases = there.len() * there.len().saturating_sub(1) / 2;
+    let boxes: Vec<Option<Box3>> = all.map(|i| assembled.world_box(i)).collect();
+    let near = near_pairs(&boxes, BOX_MARGIN_MM);
+    let made = |i: usize| boxes.get(i).is_some_and(Option::is_some);
+    let mut unknown: Vec<(usize, usize)> = Vec::new();
+    for i in there.iter().filter(|i| !made(**i)) {
+        let others = there.iter().filter(|j| *j != i && (made(**j) || i < *j));
+        unknown.extend(others.map(|j| (*i.min(j), *i.max(j))));
     }
+    unknown.sort_unstable();
+    let mated = resolved.mates_by_pair();
     let common = join_all(near.iter().map(|&(i, j)| async move {
         match (assembled.solid(i), assembled.solid(j)) {
             (Some(a), Some(b)) => {
@@ -63,7 +63,7 @@ pub(crate) async fn check(
     let mut clashes = 0;
     for ((i, j), common) in near.into_iter().zip(common) {
         let (a, b) = (resolved.name(i), resolved.name(j));
-        let allowed = allowed(resolved, i, j);
+        let allowed = allowed_by(mated.get(&(i, j)).into_iter().flatten().copied());
         let place = common.as_ref().ok().and_then(|v| v.place);
         let mut found = judge(&a, &b, common, tau, &allowed);
         if let (Overlapping::Clash, Some(finding)) = (found.class, &mut found.finding) {
@@ -280,8 +280,12 @@ fn agrees(v: &CommonVolume, estimate: f64, tau: f64) -> bool {
 /// What the mates between two parts allow, taken together.
 #[must_use]
 pub fn allowed(resolved: &Resolved, i: usize, j: usize) -> Allowed {
+    allowed_by(resolved.between(i, j))
+}
+
+fn allowed_by<'a>(mates: impl Iterator<Item = &'a ResolvedMate>) -> Allowed {
     let mut out = Allowed::default();
-    for m in resolved.between(i, j) {
+    for m in mates {
         let overlap = m.mate.mate_type.kind().overlap(&m.joint());
         out.mates.push(m.mate.id.clone());
         out.least_mm3 += overlap.least_mm3;

@@ -1,6 +1,6 @@
 //! The check `port_use`: no port serves more mates than it can.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::mates::serves_once;
@@ -77,9 +77,10 @@ pub(crate) fn check(spec: &Assembly, resolved: &Resolved, results: &mut Results)
                 json!({"assembly": spec.id, "kind": "mate", "name": last.mate.id}),
             );
         let mut parts: Vec<String> = vec![end.part.clone()];
+        let mut seen = BTreeSet::from([&end.part]);
         for m in &mates {
             for p in [&m.mate.base.part, &m.mate.incoming.part] {
-                if !parts.contains(p) {
+                if seen.insert(p) {
                     parts.push(p.clone());
                 }
             }

@@ -8,6 +8,7 @@ use assemcad_model::recipe::Recipe;
 use assemcad_model::report::Verdict;
 use assemcad_model::spec::{Assembly, End, Mate};
 use assemcad_placing::{Made, Resolved, ResolvedMate, ResolvedPart, place};
+use proptest::prelude::*;
 use serde_json::{Value, json};
 
 use super::{Freedom, Lasting, check, judge};
@@ -277,4 +278,54 @@ fn idle_spins_do_not_pass_for_motions() {
     assert_eq!(judge(&unknown, Some(1)).0, Verdict::Indeterminate);
     unknown.mobility = None;
     assert_eq!(judge(&unknown, None).0, Verdict::Indeterminate);
+}
+
+/// Mates taken in order, again and again until none reaches a new part: as it is said, and slowly.
+fn by_rounds(resolved: &Resolved) -> Vec<Option<usize>> {
+    let mut by = vec![None; resolved.parts.len()];
+    let mut placed = vec![false; resolved.parts.len()];
+    placed[resolved.root.unwrap()] = true;
+    loop {
+        let mut progress = false;
+        for (i, m) in resolved.mates.iter().enumerate() {
+            let reached = match (placed[m.base], placed[m.incoming]) {
+                (true, false) => m.incoming,
+                (false, true) => m.base,
+                _ => continue,
+            };
+            (placed[reached], by[reached], progress) = (true, Some(i), true);
+        }
+        if !progress {
+            return by;
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn parts_are_placed_by_the_mates_that_reach_them_first(
+        ends in prop::collection::vec((0..9usize, 0..9usize), 0..16),
+    ) {
+        let names: Vec<String> = (0..9).map(|i| format!("p{i}")).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let ids: Vec<String> = (0..ends.len()).map(|i| format!("m{i}")).collect();
+        let ends: Vec<(String, String)> = ends
+            .iter()
+            .filter(|(a, b)| a != b)
+            .map(|(a, b)| (format!("p{a}:top"), format!("p{b}:bottom")))
+            .collect();
+        let mates: Vec<_> = ends
+            .iter()
+            .zip(&ids)
+            .map(|((a, b), id)| (id.as_str(), MateType::FaceToFace, a.as_str(), b.as_str(), json!({})))
+            .collect();
+        let resolved = assembly(&names, &mates);
+        let placed = place::assembly(&resolved).unwrap();
+        prop_assert_eq!(&placed.placed_by, &by_rounds(&resolved));
+        for (i, p) in placed.parts.iter().enumerate() {
+            prop_assert_eq!(p.is_some(), placed.placed_by[i].is_some() || resolved.root == Some(i));
+        }
+    }
 }
