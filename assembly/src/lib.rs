@@ -32,6 +32,7 @@ pub mod synthesis;
 pub mod verify;
 
 use std::path::Path;
+use std::time::Duration;
 
 use assemcad_factories::Registry;
 use assemcad_kernel::pool::Pool;
@@ -61,6 +62,8 @@ pub struct Workshop {
     pub draft_rounds: usize,
     /// How many sources a request for a factory may have before its synthesis counts as failed.
     pub synthesis_rounds: usize,
+    /// After how long the trial of a source begins no further set of parameters.
+    pub synthesis_limit: Duration,
 }
 
 impl Workshop {
@@ -82,6 +85,7 @@ impl Workshop {
             kept: made::Kept::default(),
             draft_rounds: draft::DEFAULT_ROUNDS,
             synthesis_rounds: synthesis::DEFAULT_ROUNDS,
+            synthesis_limit: Duration::from_secs(synthesis::DEFAULT_LIMIT_S),
         })
     }
 }

@@ -8,8 +8,8 @@ use std::sync::Arc;
 
 use assemcad_factories::Admitted;
 use assemcad_factories::admission::{
-    Admission, Gate, NAMESPACE, Record, Report, Request, file_name, is_valid_user_name,
-    split_version,
+    Admission, Extent, Gate, Manner, NAMESPACE, Progress, Record, Report, Request, file_name,
+    is_valid_user_name, split_version,
 };
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic};
@@ -23,6 +23,9 @@ use crate::{Faults, Workshop};
 
 /// How many rounds a source has where the server's command line says nothing.
 pub const DEFAULT_ROUNDS: usize = 5;
+
+/// After how many seconds no further set of parameters is begun where the command line says nothing.
+pub const DEFAULT_LIMIT_S: u64 = 120;
 
 /// Where admitted factories are kept.
 const FOLDER: &str = "factories";
@@ -41,6 +44,8 @@ pub struct Asked {
     pub source: Option<String>,
     /// Whether a factory that works in a part of its ranges only is admitted for that part.
     pub narrowed: bool,
+    /// At which sets of parameters the source is tried.
+    pub extent: Extent,
 }
 
 /// What became of a request.
@@ -52,6 +57,8 @@ pub enum Synthesis {
     Wanted,
     /// The source was admitted.
     Admitted(Box<Admitted>),
+    /// The limit on time was reached, and nothing was wrong so far: no round is used up.
+    Unfinished(Box<Report>),
     /// The source is at fault.
     Refused(Box<Refusal>),
 }
@@ -67,11 +74,16 @@ pub struct Refusal {
 
 impl Workshop {
     /// Answers a request for a factory: with one that is known, with the news that one has to be
-    /// written, or with the gate's judgement of the source. What is admitted is on disk when this returns.
+    /// written, or with the gate's judgement of the source; `watch` is told how far that has come. What is
+    /// admitted is on disk when this returns.
     ///
     /// # Errors
     /// Everything that is wrong with the name and the request; the history, where the rounds are used up.
-    pub async fn synthesize(&self, asked: &Asked) -> Result<Synthesis, Faults> {
+    pub async fn synthesize(
+        &self,
+        asked: &Asked,
+        watch: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Synthesis, Faults> {
         let mut faults: Faults = name_fault(self, &asked.name).into_iter().collect();
         faults.extend(asked.request.faults());
         if !faults.is_empty() {
@@ -82,7 +94,11 @@ impl Workshop {
             let known = self.registry.admitted_for(&hash);
             return Ok(known.map_or(Synthesis::Wanted, |a| Synthesis::Known(Box::new(a))));
         };
-        if let Some(same) = self.same(&asked.name, &hash, source) {
+        let same = self.same(&asked.name, &hash, source);
+        if let Some(same) = &same
+            && same.record.evidence.sets >= asked.extent
+        {
+            let same = same.clone();
             return Ok(Synthesis::Known(Box::new(same)));
         }
         // Not the request's own hash alone: a new name begins anew.
@@ -93,10 +109,21 @@ impl Workshop {
         if before.len() >= self.synthesis_rounds && !again {
             return Err(vec![failed(&asked.name, &before)]);
         }
+        let manner = Manner {
+            extent: asked.extent,
+            narrowed: asked.narrowed,
+            watch,
+        };
         let gate = self.gate();
         let judged = gate
-            .judge(&asked.name, source, &asked.request, asked.narrowed)
+            .judge(&asked.name, source, &asked.request, manner)
             .await;
+        let judged = match judged {
+            Err(report) if report.findings.is_empty() => {
+                return Ok(Synthesis::Unfinished(report));
+            }
+            judged => judged,
+        };
         let faults: Faults = match &judged {
             Ok(_) => Vec::new(),
             Err(report) => report
@@ -112,7 +139,14 @@ impl Workshop {
             .map_err(one)?;
         match judged {
             Ok(admission) => {
-                let kept = self.keep_factory(asked, &hash, source, admission).await?;
+                let kept = match same {
+                    // The same source on more evidence is no other version.
+                    Some(same) => {
+                        self.on_more_evidence(&same.record, source, admission)
+                            .await?
+                    }
+                    None => self.keep_factory(asked, &hash, source, admission).await?,
+                };
                 Ok(Synthesis::Admitted(Box::new(kept)))
             }
             Err(_) if history.len() >= self.synthesis_rounds => {
@@ -131,6 +165,7 @@ impl Workshop {
         Gate {
             pool: &self.pool,
             evaluator: &self.evaluator,
+            limit: self.synthesis_limit,
         }
     }
 
@@ -182,6 +217,36 @@ impl Workshop {
             evidence: admission.evidence,
         };
         self.write(&record, Some(source))?;
+        let admitted = self.parsed(record, source).await?;
+        self.registry.admit(admitted.clone());
+        Ok(admitted)
+    }
+
+    /// Writes down on what a version stands now.
+    async fn on_more_evidence(
+        &self,
+        record: &Record,
+        source: &str,
+        admission: Admission,
+    ) -> Result<Admitted, Faults> {
+        let _lock = self.store.lock_folder(FOLDER).await.map_err(one)?;
+        self.renewed(record, source, admission).await
+    }
+
+    /// A version with another source or other evidence: on disk, then in the registry.
+    async fn renewed(
+        &self,
+        record: &Record,
+        source: &str,
+        admission: Admission,
+    ) -> Result<Admitted, Faults> {
+        let record = Record {
+            source_sha256: sha256(source.as_bytes()),
+            ranges: admission.ranges,
+            evidence: admission.evidence,
+            ..Record::clone(record)
+        };
+        self.write(&record, None)?;
         let admitted = self.parsed(record, source).await?;
         self.registry.admit(admitted.clone());
         Ok(admitted)
@@ -275,29 +340,41 @@ impl Workshop {
         };
         let gate = self.gate();
         let (record, source) = (&now.record, now.factory.source());
-        let narrowed = !record.ranges.is_empty();
+        let manner = Manner {
+            extent: record.evidence.sets,
+            narrowed: !record.ranges.is_empty(),
+            watch: &|_| {},
+        };
         let judged = gate
-            .judge(&record.name(), source, &record.request, narrowed)
+            .judge(&record.name(), source, &record.request, manner)
             .await;
         let admission = judged.map_err(|report| {
-            let changed = Diagnostic::error(
-                Code::FactoryFailed,
-                format!("factory {}", record.name()),
-                "its source was edited since it was admitted, and does not pass the gate any more",
-            )
-            .hint("mend the file, or give the source to synthesize_factory as a new version");
+            let place = format!("factory {}", record.name());
+            let changed = if report.findings.is_empty() {
+                let left = report.tally.not_tried;
+                let text = format!(
+                    "its source was edited since it was admitted, and looking at it again took longer than \
+                     the limit of {} s: {left} of {} sets of parameters are left",
+                    self.synthesis_limit.as_secs(),
+                    report.tally.sets
+                );
+                Diagnostic::error(Code::FactoryFailed, place, text).hint(
+                    "use it again: solids that were made are kept; or start the server with a larger \
+                     --synthesis-s",
+                )
+            } else {
+                Diagnostic::error(
+                    Code::FactoryFailed,
+                    place,
+                    "its source was edited since it was admitted, and does not pass the gate any more",
+                )
+                .hint("mend the file, or give the source to synthesize_factory as a new version")
+            };
             let mut all = vec![changed];
             all.extend(report.findings.into_iter().map(|f| f.diagnostic));
             all
         })?;
-        let record = Record {
-            source_sha256: sha256(source.as_bytes()),
-            ranges: admission.ranges,
-            evidence: admission.evidence,
-            ..Record::clone(record)
-        };
-        self.write(&record, None)?;
-        self.registry.admit(self.parsed(record, source).await?);
+        self.renewed(record, source, admission).await?;
         Ok(())
     }
 }

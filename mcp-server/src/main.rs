@@ -4,11 +4,13 @@
 
 mod clients_model;
 mod lines;
+mod progress;
 mod running;
 mod serve;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Duration;
 
 use assemcad_assembly::draft::DEFAULT_ROUNDS;
 use assemcad_assembly::{Workshop, synthesis};
@@ -63,6 +65,9 @@ struct Serve {
     /// How many wrong sources a request for a factory has before its synthesis counts as failed.
     #[arg(long, default_value_t = synthesis::DEFAULT_ROUNDS)]
     synthesis_rounds: usize,
+    /// After how many seconds the trial of a factory's source begins no further set of parameters.
+    #[arg(long, default_value_t = synthesis::DEFAULT_LIMIT_S)]
+    synthesis_s: u64,
 }
 
 #[derive(Debug, Args)]
@@ -159,6 +164,7 @@ async fn workshop(options: Serve) -> Result<Workshop, String> {
         Workshop::open(&root, registry, pool, evaluator).map_err(|d| d.to_string())?;
     workshop.draft_rounds = options.draft_rounds;
     workshop.synthesis_rounds = options.synthesis_rounds;
+    workshop.synthesis_limit = Duration::from_secs(options.synthesis_s);
     faults.extend(workshop.load_admitted().await);
     for fault in faults {
         tracing::warn!("{fault}");
