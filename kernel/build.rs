@@ -32,7 +32,7 @@ const LIBRARIES: [&str; 23] = [
     "TKernel",
 ];
 
-const SOURCES: [&str; 23] = [
+const SOURCES: [&str; 25] = [
     "along",
     "areas",
     "canonical",
@@ -40,6 +40,7 @@ const SOURCES: [&str; 23] = [
     "common",
     "curves",
     "facts",
+    "flat",
     "integrals",
     "io",
     "look",
@@ -48,6 +49,7 @@ const SOURCES: [&str; 23] = [
     "place",
     "primitives",
     "query",
+    "sides",
     "skin",
     "solids",
     "start",
@@ -79,7 +81,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     build
         .std("c++17")
-        .opt_level(1)
+        .opt_level(2)
         .debug(false)
         // As a system folder: OCCT's headers are not ours to be warned about.
         .flag_if_supported(format!("-isystem{include}"))

@@ -21,4 +21,4 @@ mod views;
 mod workshop;
 
 pub use assemcad_model::diagnostic::Faults;
-pub use workshop::{DEFAULT_ROUNDS, Workshop};
+pub use workshop::{DEFAULT_LIMIT_S, DEFAULT_ROUNDS, Workshop};

@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 use assemcad_factories::Admitted;
 use assemcad_factories::admission::{
-    Admission, Gate, NAMESPACE, Record, Report, Request, is_valid_user_name,
+    Admission, Extent, Gate, Manner, NAMESPACE, Progress, Record, Report, Request,
+    is_valid_user_name,
 };
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic};
@@ -32,6 +33,8 @@ pub struct Asked {
     pub source: Option<String>,
     /// Whether a factory that works in a part of its ranges only is admitted for that part.
     pub narrowed: bool,
+    /// At which sets of parameters the source is tried.
+    pub extent: Extent,
 }
 
 /// What became of a request.
@@ -43,6 +46,8 @@ pub enum Synthesis {
     Wanted,
     /// The source was admitted.
     Admitted(Box<Admitted>),
+    /// The limit on time was reached, and nothing was wrong so far: no round is used up.
+    Unfinished(Box<Report>),
     /// The source is at fault.
     Refused(Box<Refusal>),
 }
@@ -58,11 +63,16 @@ pub struct Refusal {
 
 impl Workshop {
     /// Answers a request for a factory: with one that is known, with the news that one has to be
-    /// written, or with the gate's judgement of the source. What is admitted is on disk when this returns.
+    /// written, or with the gate's judgement of the source; `watch` is told how far that has come. What is
+    /// admitted is on disk when this returns.
     ///
     /// # Errors
     /// Everything that is wrong with the name and the request; the history, where the rounds are used up.
-    pub async fn synthesize(&self, asked: &Asked) -> Result<Synthesis, Faults> {
+    pub async fn synthesize(
+        &self,
+        asked: &Asked,
+        watch: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Synthesis, Faults> {
         let mut faults: Faults = name_fault(self, &asked.name).into_iter().collect();
         faults.extend(asked.request.faults());
         if !faults.is_empty() {
@@ -73,7 +83,11 @@ impl Workshop {
             let known = self.registry.admitted_for(&hash);
             return Ok(known.map_or(Synthesis::Wanted, |a| Synthesis::Known(Box::new(a))));
         };
-        if let Some(same) = self.same(&asked.name, &hash, source) {
+        let same = self.same(&asked.name, &hash, source);
+        if let Some(same) = &same
+            && same.record.evidence.sets >= asked.extent
+        {
+            let same = same.clone();
             return Ok(Synthesis::Known(Box::new(same)));
         }
         // Not the request's own hash alone: a new name begins anew.
@@ -84,10 +98,21 @@ impl Workshop {
         if before.len() >= self.synthesis_rounds && !again {
             return Err(vec![failed(&asked.name, &before)]);
         }
+        let manner = Manner {
+            extent: asked.extent,
+            narrowed: asked.narrowed,
+            watch,
+        };
         let gate = self.gate();
         let judged = gate
-            .judge(&asked.name, source, &asked.request, asked.narrowed)
+            .judge(&asked.name, source, &asked.request, manner)
             .await;
+        let judged = match judged {
+            Err(report) if report.findings.is_empty() => {
+                return Ok(Synthesis::Unfinished(report));
+            }
+            judged => judged,
+        };
         let faults: Faults = match &judged {
             Ok(_) => Vec::new(),
             Err(report) => report
@@ -103,7 +128,14 @@ impl Workshop {
             .map_err(one)?;
         match judged {
             Ok(admission) => {
-                let kept = self.keep_factory(asked, &hash, source, admission).await?;
+                let kept = match same {
+                    // The same source on more evidence is no other version.
+                    Some(same) => {
+                        self.on_more_evidence(&same.record, source, admission)
+                            .await?
+                    }
+                    None => self.keep_factory(asked, &hash, source, admission).await?,
+                };
                 Ok(Synthesis::Admitted(Box::new(kept)))
             }
             Err(_) if history.len() >= self.synthesis_rounds => {
@@ -122,6 +154,7 @@ impl Workshop {
         Gate {
             door: self.door.asker(),
             evaluator: &self.evaluator,
+            limit: self.synthesis_limit,
         }
     }
 
@@ -178,6 +211,36 @@ impl Workshop {
         Ok(admitted)
     }
 
+    /// Writes down on what a version stands now.
+    async fn on_more_evidence(
+        &self,
+        record: &Record,
+        source: &str,
+        admission: Admission,
+    ) -> Result<Admitted, Faults> {
+        let _lock = self.store.lock_factories().await.map_err(one)?;
+        self.renewed(record, source, admission).await
+    }
+
+    /// A version with another source or other evidence: on disk, then in the registry.
+    async fn renewed(
+        &self,
+        record: &Record,
+        source: &str,
+        admission: Admission,
+    ) -> Result<Admitted, Faults> {
+        let record = Record {
+            source_sha256: sha256(source.as_bytes()),
+            ranges: admission.ranges,
+            evidence: admission.evidence,
+            ..Record::clone(record)
+        };
+        self.store.write_factory(&record, None).map_err(one)?;
+        let admitted = self.parsed(record, source).await?;
+        self.registry.admit(admitted.clone());
+        Ok(admitted)
+    }
+
     /// Loads the factories that were admitted before. What is at fault is reported and left out.
     pub async fn load_admitted(&self) -> Faults {
         let stored = match self.store.admitted_factories() {
@@ -219,29 +282,41 @@ impl Workshop {
         };
         let gate = self.gate();
         let (record, source) = (&now.record, now.factory.source());
-        let narrowed = !record.ranges.is_empty();
+        let manner = Manner {
+            extent: record.evidence.sets,
+            narrowed: !record.ranges.is_empty(),
+            watch: &|_| {},
+        };
         let judged = gate
-            .judge(&record.name(), source, &record.request, narrowed)
+            .judge(&record.name(), source, &record.request, manner)
             .await;
         let admission = judged.map_err(|report| {
-            let changed = Diagnostic::error(
-                Code::FactoryFailed,
-                format!("factory {}", record.name()),
-                "its source was edited since it was admitted, and does not pass the gate any more",
-            )
-            .hint("mend the file, or give the source to synthesize_factory as a new version");
+            let place = format!("factory {}", record.name());
+            let changed = if report.findings.is_empty() {
+                let left = report.tally.not_tried;
+                let text = format!(
+                    "its source was edited since it was admitted, and looking at it again took longer than \
+                     the limit of {} s: {left} of {} sets of parameters are left",
+                    self.synthesis_limit.as_secs(),
+                    report.tally.sets
+                );
+                Diagnostic::error(Code::FactoryFailed, place, text).hint(
+                    "use it again: solids that were made are kept; or start the server with a larger \
+                     --synthesis-s",
+                )
+            } else {
+                Diagnostic::error(
+                    Code::FactoryFailed,
+                    place,
+                    "its source was edited since it was admitted, and does not pass the gate any more",
+                )
+                .hint("mend the file, or give the source to synthesize_factory as a new version")
+            };
             let mut all = vec![changed];
             all.extend(report.findings.into_iter().map(|f| f.diagnostic));
             all
         })?;
-        let record = Record {
-            source_sha256: sha256(source.as_bytes()),
-            ranges: admission.ranges,
-            evidence: admission.evidence,
-            ..Record::clone(record)
-        };
-        self.store.write_factory(&record, None).map_err(one)?;
-        self.registry.admit(self.parsed(record, source).await?);
+        self.renewed(record, source, admission).await?;
         Ok(())
     }
 }

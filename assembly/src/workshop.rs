@@ -1,6 +1,7 @@
 //! What all operations work with.
 
 use std::path::Path;
+use std::time::Duration;
 
 use assemcad_factories::Registry;
 use assemcad_geometry::{Door, Terms};
@@ -13,6 +14,10 @@ use assemcad_store::Store;
 
 /// How many rounds a draft, or a source of a factory, has where the server's command line says nothing.
 pub const DEFAULT_ROUNDS: usize = 5;
+
+/// After how many seconds the trial of a source begins no further set of parameters where the command line says
+/// nothing.
+pub const DEFAULT_LIMIT_S: u64 = 120;
 
 /// What all operations work with: the factories, the kernel and the assemblies on disk.
 #[derive(Debug)]
@@ -31,6 +36,8 @@ pub struct Workshop {
     pub draft_rounds: usize,
     /// How many sources a request for a factory may have before its synthesis counts as failed.
     pub synthesis_rounds: usize,
+    /// After how long the trial of a source begins no further set of parameters.
+    pub synthesis_limit: Duration,
 }
 
 impl Workshop {
@@ -52,6 +59,7 @@ impl Workshop {
             remembered: Remembered::default(),
             draft_rounds: DEFAULT_ROUNDS,
             synthesis_rounds: DEFAULT_ROUNDS,
+            synthesis_limit: Duration::from_secs(DEFAULT_LIMIT_S),
         })
     }
 }
