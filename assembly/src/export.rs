@@ -1,9 +1,12 @@
 //! STEP files of assemblies.
 
+use std::collections::BTreeMap;
+
 use assemcad_factories::failure::diagnostic;
-use assemcad_kernel::protocol::StepFacts;
+use assemcad_kernel::protocol::{Built, StepFacts, StepLeaf};
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::frame::{Placement, Rows};
 use assemcad_model::report::{Report, StepFile, Verdict};
 use assemcad_model::spec::Assembly;
 use assemcad_placing::partial::no_parts;
@@ -20,8 +23,11 @@ use assemcad_store::file_of;
 /// How far a volume may be from what it was when a STEP file is read back, relative.
 const READ_BACK_TOLERANCE: f64 = 1e-6;
 
-/// How far a centre of mass may be from its place then, in mm.
+/// How far a centre, a corner of a box or a place may be off then, in mm.
 const READ_BACK_MM: f64 = 1e-5;
+
+/// How far a number of a rotation may be off then: a hundredth of a micrometre at the end of ten metres.
+const READ_BACK_TURN: f64 = 1e-9;
 
 /// An exported file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -161,13 +167,13 @@ impl Workshop {
         })
     }
 
-    /// Volume and centre in the world of all parts; every part must have a place and be made.
+    /// What was measured of all parts, and where they are; every part must have a place and be made.
     async fn ready(
         &self,
         id: &str,
         resolved: &Resolved,
         placements: &Placements,
-    ) -> Result<Vec<(f64, [f64; 3])>, Faults> {
+    ) -> Result<Vec<(Built, Placement)>, Faults> {
         if resolved.parts.is_empty() {
             return Err(vec![no_parts(id)]);
         }
@@ -186,7 +192,7 @@ impl Workshop {
         let built = build_all(self.door.asker(), resolved).await;
         for (i, built) in built.into_iter().enumerate() {
             match (built, placements.of(i)) {
-                (Ok(b), Some(at)) => solids.push((b.volume, at.point(b.centre))),
+                (Ok(b), Some(at)) => solids.push((b, at)),
                 (Ok(_), None) => {}
                 (Err(d), _) => faults.push(d),
             }
@@ -199,9 +205,11 @@ impl Workshop {
     }
 }
 
+/// Holds what was read back against what was made: of each product volume, centre, box and inertia in its own frame,
+/// and of each part its pose. A part that is turned about its own centre is somewhere else.
 fn check_read_back(
     resolved: &Resolved,
-    solids: &[(f64, [f64; 3])],
+    solids: &[(Built, Placement)],
     facts: &StepFacts,
 ) -> Result<(), Diagnostic> {
     let wrong = |what: String| {
@@ -220,31 +228,116 @@ fn check_read_back(
             resolved.parts.len()
         )));
     }
-    for (part, (volume, centre)) in resolved.parts.iter().zip(solids) {
-        let Some(leaf) = facts.instances.iter().find(|leaf| leaf.name == part.id) else {
+    let by_name: BTreeMap<&str, &StepLeaf> = facts
+        .instances
+        .iter()
+        .map(|leaf| (leaf.name.as_str(), leaf))
+        .collect();
+    for (part, (built, at)) in resolved.parts.iter().zip(solids) {
+        let Some(leaf) = by_name.get(part.id.as_str()) else {
             return Err(wrong(format!("no part '{}'", part.id)));
         };
-        let near = (leaf.volume - volume).abs() <= READ_BACK_TOLERANCE * volume;
-        if !near {
-            let read = leaf.volume;
-            return Err(wrong(format!(
-                "part '{}' has {read} mm3 instead of {volume}",
-                part.id
-            )));
-        }
-        let off = leaf
-            .centre
-            .iter()
-            .zip(centre)
-            .map(|(a, b)| (a - b).abs())
-            .fold(0.0, f64::max);
-        let near = off <= READ_BACK_MM;
-        if !near {
-            return Err(wrong(format!(
-                "part '{}' lies {off} mm from its place",
-                part.id
-            )));
+        if let Some(what) = differing(leaf, built, at) {
+            return Err(wrong(format!("part '{}' {what}", part.id)));
         }
     }
     Ok(())
+}
+
+/// How what was read back of a part is not what was made.
+fn differing(leaf: &StepLeaf, built: &Built, at: &Placement) -> Option<String> {
+    let off = |a: &[f64], b: &[f64]| -> f64 {
+        let each = a.iter().zip(b).map(|(a, b)| (a - b).abs());
+        // A number that is none is off.
+        each.fold(0.0, |most, d| if d <= most { most } else { d })
+    };
+    let within = |off: f64, most: f64| off <= most;
+    let volume = (leaf.volume - built.volume).abs();
+    if !within(volume, READ_BACK_TOLERANCE * built.volume) {
+        return Some(format!(
+            "has {} mm3 instead of {}",
+            leaf.volume, built.volume
+        ));
+    }
+    let centre = off(&leaf.centre, &built.centre);
+    let corners = off(&leaf.bounds.0, &built.min).max(off(&leaf.bounds.1, &built.max));
+    if !within(centre.max(corners), READ_BACK_MM) {
+        return Some(format!(
+            "is another solid: its centre is off by {centre} mm, its box by {corners} mm"
+        ));
+    }
+    let (read, made) = (leaf.inertia.as_flattened(), built.inertia.as_flattened());
+    let largest = made.iter().fold(0.0_f64, |most, n| most.max(n.abs()));
+    if !within(off(read, made), READ_BACK_TOLERANCE * largest) {
+        return Some("is another solid: its moments of inertia differ".to_owned());
+    }
+    let (Rows(read), Rows(made)) = (leaf.placement, (*at).into());
+    let axes = |rows: &[[f64; 4]; 3]| rows.map(|[x, y, z, _]| [x, y, z]);
+    let place = |rows: &[[f64; 4]; 3]| rows.map(|[.., t]| t);
+    let turned = off(axes(&read).as_flattened(), axes(&made).as_flattened());
+    let moved = off(&place(&read), &place(&made));
+    let placed = within(turned, READ_BACK_TURN) && within(moved, READ_BACK_MM);
+    (!placed).then(|| format!("lies {moved} mm from its place, its axes off by {turned}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::differing;
+    use assemcad_kernel::protocol::{Built, Source, StepLeaf};
+    use assemcad_model::frame::Placement;
+
+    /// A cube of 10 mm about the origin of its frame.
+    fn cube() -> Built {
+        let moment = 1000.0 * 200.0 / 12.0;
+        Built {
+            recipe: String::new(),
+            source: Source::Replayed,
+            volume: 1000.0,
+            area: 600.0,
+            centre: [0.0; 3],
+            inertia: [[moment, 0.0, 0.0], [0.0, moment, 0.0], [0.0, 0.0, moment]],
+            min: [-5.0; 3],
+            max: [5.0; 3],
+            brep: String::new(),
+            ports: Vec::new(),
+        }
+    }
+
+    fn read(of: &Built, at: &Placement) -> StepLeaf {
+        StepLeaf {
+            name: "cube".to_owned(),
+            product: "cube".to_owned(),
+            volume: of.volume,
+            centre: of.centre,
+            inertia: of.inertia,
+            bounds: (of.min, of.max),
+            placement: (*at).into(),
+        }
+    }
+
+    #[test]
+    fn a_part_turned_about_its_own_centre_is_not_what_was_made() {
+        let (cube, at) = (cube(), Placement::translation(1.0, 2.0, 3.0));
+        assert_eq!(differing(&read(&cube, &at), &cube, &at), None);
+        // Volume, centre and box are those of the cube in its place, whichever way it looks.
+        let turned = at * Placement::rotation_z(90.0);
+        let what = differing(&read(&cube, &turned), &cube, &at).unwrap();
+        assert!(what.contains("its axes off by 1"), "{what}");
+        let moved = Placement::translation(0.0, 0.0, 2e-5) * at;
+        assert!(differing(&read(&cube, &moved), &cube, &at).is_some());
+    }
+
+    #[test]
+    fn another_solid_of_the_same_volume_is_not_what_was_made() {
+        let (cube, at) = (cube(), Placement::IDENTITY);
+        let mut other = read(&cube, &at);
+        other.bounds.1 = [5.0, 5.0, 5.1];
+        assert!(differing(&other, &cube, &at).unwrap().contains("box"));
+        let mut other = read(&cube, &at);
+        other.inertia[0][0] *= 1.001;
+        assert!(differing(&other, &cube, &at).unwrap().contains("inertia"));
+        let mut other = read(&cube, &at);
+        other.volume = f64::NAN;
+        assert!(differing(&other, &cube, &at).is_some());
+    }
 }

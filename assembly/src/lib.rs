@@ -11,6 +11,7 @@ mod partial;
 pub mod realize;
 mod remembered;
 pub mod report_files;
+mod reports;
 pub mod resolve;
 pub mod state;
 mod step_header;

@@ -6,6 +6,7 @@ use assemcad_placing::partial::no_parts;
 use assemcad_placing::place;
 use assemcad_verify::{Results, Subject, Terms, verify};
 
+use crate::reports::Reports;
 use crate::resolve;
 use crate::{Faults, Workshop};
 
@@ -37,6 +38,11 @@ impl Workshop {
         if resolved.parts.is_empty() {
             return Err(vec![no_parts(&spec.id)]);
         }
+        let key = Reports::key(spec, &resolved, terms).map_err(|d| vec![d])?;
+        if let Some(known) = self.reports.get(&key) {
+            return Ok(known);
+        }
+        let failed = self.door.counts().failed;
         let placements = place::assembly(&resolved).map_err(|d| vec![d])?;
         let subject = Subject {
             door: self.door.asker(),
@@ -45,6 +51,10 @@ impl Workshop {
             resolved: &resolved,
             placements: &placements,
         };
-        verify(subject, terms, ports).await.map_err(|d| vec![d])
+        let report = verify(subject, terms, ports).await.map_err(|d| vec![d])?;
+        if self.door.counts().failed == failed {
+            self.reports.put(key, &report);
+        }
+        Ok(report)
     }
 }

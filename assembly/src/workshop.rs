@@ -10,6 +10,7 @@ use assemcad_model::diagnostic::Diagnostic;
 use assemcad_script::Evaluator;
 
 use crate::remembered::Remembered;
+use crate::reports::Reports;
 use assemcad_store::Store;
 
 /// How many rounds a draft, or a source of a factory, has where the server's command line says nothing.
@@ -32,6 +33,8 @@ pub struct Workshop {
     pub store: Store,
     /// What was made already.
     pub(crate) remembered: Remembered,
+    /// What was verified already.
+    pub(crate) reports: Reports,
     /// How often a draft may be wrong before its decomposition counts as failed.
     pub draft_rounds: usize,
     /// How many sources a request for a factory may have before its synthesis counts as failed.
@@ -57,6 +60,7 @@ impl Workshop {
             evaluator,
             store: Store::open(root)?,
             remembered: Remembered::default(),
+            reports: Reports::default(),
             draft_rounds: DEFAULT_ROUNDS,
             synthesis_rounds: DEFAULT_ROUNDS,
             synthesis_limit: Duration::from_secs(DEFAULT_LIMIT_S),

@@ -77,6 +77,8 @@ pub struct Counts {
     pub computed: u64,
     /// Jobs that kernel processes were given.
     pub kernel_calls: u64,
+    /// Questions that were not answered.
+    pub failed: u64,
 }
 
 /// How the door is opened.
@@ -112,6 +114,7 @@ pub struct Door {
     asked: AtomicU64,
     computed: AtomicU64,
     kernel_calls: AtomicU64,
+    failed: AtomicU64,
 }
 
 impl Door {
@@ -131,6 +134,7 @@ impl Door {
             asked: AtomicU64::new(0),
             computed: AtomicU64::new(0),
             kernel_calls: AtomicU64::new(0),
+            failed: AtomicU64::new(0),
         }
     }
 
@@ -142,6 +146,7 @@ impl Door {
             asked: of(&self.asked),
             computed: of(&self.computed),
             kernel_calls: of(&self.kernel_calls),
+            failed: of(&self.failed),
         }
     }
 
@@ -199,27 +204,27 @@ impl Asker<'_> {
             .kept
             .try_get_with(Key::of(question), find)
             .await
-            .map_err(|failure: Arc<Failure>| (*failure).clone())?;
+            .map_err(|failure: Arc<Failure>| {
+                door.failed.fetch_add(1, Ordering::Relaxed);
+                (*failure).clone()
+            })?;
         match kept.answer.downcast_ref::<Q::Answer>() {
             Some(answer) => Ok(answer.clone()),
             None => Err(nonsense()),
         }
     }
 
-    /// Has a job done by a kernel process: by one that knows the solids where there is one. A process that was
-    /// lost, or ran out of memory with what it had from earlier jobs, is replaced, and the job tried once more.
+    /// Has a job done by a kernel process. Where that was lost, or ran out of memory, which it may have been short of
+    /// from earlier jobs, the job is tried once more by a process that did nothing before.
     pub(crate) async fn kernel(&self, job: &Job) -> Result<(Reply, Vec<u8>), Failure> {
-        match self.once(&job.without_recipes()).await {
-            Ok((Reply::Unknown, _)) => {}
-            Ok(done) => return Ok(done),
-            Err(failure) if worth_another_try(&failure) => {}
-            Err(failure) => return Err(failure),
-        }
-        match self.once(job).await {
+        let first = match self.once(&job.without_recipes()).await {
+            Ok((Reply::Unknown, _)) => self.once(job).await,
+            done => done,
+        };
+        match first {
             Err(failure) if worth_another_try(&failure) => {
-                let _turn = self.door.gate.turn(self.urgency).await;
-                self.door.kernel_calls.fetch_add(1, Ordering::Relaxed);
-                self.door.pool.run_fresh(job).await
+                tracing::warn!("{}: tried once more", failure.message);
+                self.fresh(job).await
             }
             done => done,
         }

@@ -30,7 +30,15 @@ std::string name(const TDF_Label& label) {
   return TCollection_AsciiString(attribute->Get()).ToCString();
 }
 
+struct Measured {
+  TopoDS_Shape shape;
+  Integrals found;
+  BoundsRaw bounds;
+  std::uint32_t solids;
+};
+
 struct Walk {
+  std::vector<Measured> measured;
   rust::Vec<LeafRaw> leaves;
   std::vector<std::string> path;
 
@@ -39,17 +47,35 @@ struct Walk {
     if (shape.IsNull()) {
       throw Refused("a product of the file has no shape");
     }
-    const TopoDS_Shape placed = shape.Moved(location);
-    const Integrals found = integrals(placed);
+    // The products of an assembly are few, and their instances many: each is measured once, in its own frame.
+    std::size_t index = 0;
+    while (index < measured.size() && !measured[index].shape.IsSame(shape)) {
+      ++index;
+    }
+    if (index == measured.size()) {
+      measured.push_back({shape, integrals(shape), raw_bounds(tight_box(shape)),
+                          count(shape, TopAbs_SOLID)});
+    }
+    const Measured& own = measured[index];
+    const gp_Trsf at = location.Transformation();
     LeafRaw out;
     for (const std::string& step : path) {
       out.path.push_back(step);
     }
     out.product = name(product);
-    out.volume = found.volume;
-    out.center = xyz(found.center);
-    out.bounds = raw_bounds(tight_box(placed));
-    out.solids = count(placed, TopAbs_SOLID);
+    out.volume = own.found.volume;
+    out.own_center = xyz(own.found.center);
+    out.center = xyz(own.found.center.Transformed(at));
+    out.bounds = own.bounds;
+    out.solids = own.solids;
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 3; ++column) {
+        out.inertia[3 * row + column] = own.found.inertia(row + 1, column + 1) + 0.0;
+      }
+      for (int column = 0; column < 4; ++column) {
+        out.pose.rows[4 * row + column] = at.Value(row + 1, column + 1) + 0.0;
+      }
+    }
     leaves.push_back(std::move(out));
   }
 

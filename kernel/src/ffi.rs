@@ -164,8 +164,11 @@ pub mod bridge {
         product: String,
         solids: u32,
         volume: f64,
+        own_center: [f64; 3],
         center: [f64; 3],
+        inertia: [f64; 9],
         bounds: BoundsRaw,
+        pose: Pose,
     }
 
     unsafe extern "C++" {

@@ -237,6 +237,8 @@ pub struct Built {
     pub area: f64,
     /// Centre of mass in mm.
     pub centre: [f64; 3],
+    /// Matrix of inertia about it, along the axes of the part's frame, in mm5.
+    pub inertia: [[f64; 3]; 3],
     /// Smallest corner of the bounding box in mm.
     pub min: [f64; 3],
     /// Largest corner of the bounding box in mm.
@@ -294,6 +296,12 @@ pub struct StepLeaf {
     pub product: String,
     /// Volume in mm3.
     pub volume: f64,
-    /// Centre of mass in the world, in mm.
+    /// Centre of mass in the product's frame, in mm.
     pub centre: [f64; 3],
+    /// Matrix of inertia about it, along the axes of the product's frame, in mm5.
+    pub inertia: [[f64; 3]; 3],
+    /// Smallest and largest corner of the product's box, in its frame.
+    pub bounds: ([f64; 3], [f64; 3]),
+    /// Where the product's frame is.
+    pub placement: Rows,
 }

@@ -1,6 +1,6 @@
 //! STEP: writing a tree of products, and reading one back to check it.
 
-use assemcad_model::frame::Placement;
+use assemcad_model::frame::{Placement, Rows};
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Context, KernelError, Result};
@@ -94,8 +94,14 @@ pub struct Leaf {
     pub volume: f64,
     /// Centre of the volume, in the root's frame.
     pub center: [f64; 3],
-    /// Tight box in the root's frame.
+    /// The same in the product's own frame.
+    pub own_center: [f64; 3],
+    /// Matrix of inertia about the centre, along the axes of the product's own frame, in mm5.
+    pub inertia: [[f64; 3]; 3],
+    /// Tight box in the product's own frame.
     pub bounds: Bounds,
+    /// Where the product's frame is, in the root's.
+    pub placement: Rows,
 }
 
 /// A tree as a STEP file: AP242, millimetres, one product for each part and assembly.
@@ -168,9 +174,20 @@ pub fn read(bytes: &[u8]) -> Result<Vec<Leaf>> {
             solids: leaf.solids,
             volume: leaf.volume,
             center: leaf.center,
+            own_center: leaf.own_center,
+            inertia: matrix(leaf.inertia),
             bounds: leaf.bounds.into(),
+            placement: Rows(rows(leaf.pose.rows)),
         })
         .collect())
+}
+
+fn matrix([a, b, c, d, e, f, g, h, i]: [f64; 9]) -> [[f64; 3]; 3] {
+    [[a, b, c], [d, e, f], [g, h, i]]
+}
+
+fn rows([a, b, c, d, e, f, g, h, i, j, k, l]: [f64; 12]) -> [[f64; 4]; 3] {
+    [[a, b, c, d], [e, f, g, h], [i, j, k, l]]
 }
 
 fn unknown(assembly: &str, instance: &str) -> KernelError {

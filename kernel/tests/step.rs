@@ -2,7 +2,7 @@
 
 use assemcad_kernel::Shape;
 use assemcad_kernel::step::{Assembly, Header, Instance, Part, Product, Tree, read, write};
-use assemcad_model::frame::{Frame, Placement};
+use assemcad_model::frame::{Frame, Placement, Rows};
 
 fn header() -> Header {
     Header {
@@ -160,7 +160,8 @@ fn the_first_file_is_named_and_complete_and_reads_back() {
             assert!((found - expected).abs() < 1e-9, "{leaf:?}");
         }
     }
-    assert!((leaves[3].bounds.min[0] - 86.0).abs() < 1e-6);
+    let Rows([[.., x], ..]) = leaves[3].placement;
+    assert!((x + leaves[3].bounds.min[0] - 86.0).abs() < 1e-6);
 
     // A second export differs in nothing but the counter of uses.
     let again = String::from_utf8(write(&tree, &header()).unwrap()).unwrap();

@@ -2,7 +2,7 @@
 
 use assemcad_kernel::facts::Turn;
 use assemcad_kernel::skin::{Skin, SkinCurve, SkinEdge, SkinFace, SkinSurface};
-use parry3d_f64::bounding_volume::Aabb;
+use parry3d_f64::bounding_volume::{Aabb, BoundingVolume};
 use parry3d_f64::math::Vector as Real3;
 use parry3d_f64::partitioning::{Bvh, BvhBuildStrategy};
 
@@ -162,10 +162,20 @@ impl Boundary {
         Some((face, self.skin.faces.get(face as usize)?, corners))
     }
 
-    pub(super) fn triangles_of(&self, face: &SkinFace) -> impl Iterator<Item = [V; 3]> {
-        let [from, to] = face.triangles.map(|n| n as usize);
-        let own = self.skin.triangles.get(from..to).unwrap_or_default();
-        own.iter().filter_map(|t| self.corners(t))
+    /// The triangles whose boxes come nearer to a point than `reach`, and their faces.
+    pub(super) fn triangles_near(
+        &self,
+        point: &V,
+        reach: f64,
+    ) -> impl Iterator<Item = (&SkinFace, [V; 3])> {
+        let around = aabb(&[*point]).loosened(reach);
+        let leaves = self
+            .tree
+            .leaves(move |node| node.aabb().intersects(&around));
+        leaves.filter_map(|leaf| {
+            let (_, face, corners) = self.triangle(leaf)?;
+            Some((face, corners))
+        })
     }
 
     pub(super) fn count(&self) -> u32 {

@@ -3,7 +3,6 @@
 use super::boundary::{Boundary, real3};
 use super::patch::V;
 use super::triangles::{Met, met, on_triangle};
-use parry3d_f64::bounding_volume::BoundingVolume;
 use parry3d_f64::query::Ray;
 
 /// Directions of rays; no part is made along them.
@@ -42,13 +41,6 @@ pub(super) fn contains(boundary: &Boundary, point: &V, margin: f64) -> Option<bo
 }
 
 fn near(boundary: &Boundary, point: &V, gap: f64) -> bool {
-    let around = super::boundary::aabb(&[*point]).loosened(gap);
-    let mut leaves = boundary
-        .tree()
-        .leaves(|node| node.aabb().intersects(&around));
-    leaves.any(|leaf| {
-        boundary
-            .triangle(leaf)
-            .is_none_or(|(.., corners)| (on_triangle(point, &corners) - point).norm() <= gap)
-    })
+    let mut near = boundary.triangles_near(point, gap);
+    near.any(|(_, corners)| (on_triangle(point, &corners) - point).norm() <= gap)
 }

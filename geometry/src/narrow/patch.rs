@@ -13,6 +13,9 @@ use super::boundary::Boundary;
 /// Directions count as parallel or at right angles up to this sine or cosine: what placing leaves.
 pub(super) const PARALLEL: f64 = 1e-10;
 
+/// How far a point may be off a plane face whose triangles it is looked for in, in mm: more than rounding.
+const COVER_MM: f64 = 1e-3;
+
 /// A surface in the frame of another solid.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Surface {
@@ -429,12 +432,16 @@ impl<'a> Patch<'a> {
         let Surface::Plane { normal, .. } = self.surface else {
             return true;
         };
-        self.boundary.triangles_of(self.face).any(|t| {
-            let corners = t.map(|p| V::from(self.at.point(p.into())));
-            let [a, b, c] = corners;
-            let left = |p: &V, q: &V| (q - p).cross(&(point - p)).dot(&normal) >= 0.0;
-            left(&a, &b) && left(&b, &c) && left(&c, &a)
-        })
+        let back = self.at.inverse();
+        let own = V::from(back.point((*point).into()));
+        let up = V::from(back.direction(normal.into()));
+        self.boundary
+            .triangles_near(&own, COVER_MM)
+            .any(|(face, t)| {
+                let [a, b, c] = t;
+                let left = |p: &V, q: &V| (q - p).cross(&(own - p)).dot(&up) >= 0.0;
+                core::ptr::eq(face, self.face) && left(&a, &b) && left(&b, &c) && left(&c, &a)
+            })
     }
 }
 

@@ -10,8 +10,8 @@ use crate::door::{Asker, Key, Question, nonsense};
 use crate::narrow::Boundary;
 
 /// How far triangles may be off a surface: this share of the solid's diagonal, between these limits in mm.
-const SHARE: f64 = 2e-4;
-const LIMITS_MM: (f64, f64) = (0.002, 0.005);
+const SHARE: f64 = 1e-4;
+const LIMITS_MM: (f64, f64) = (0.002, 0.02);
 
 /// How far they may be turned from it, in degrees. The proof in [`crate::narrow`] rests on it.
 const TURNED_DEG: f64 = 10.0;

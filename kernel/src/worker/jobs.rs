@@ -147,6 +147,7 @@ impl Bench {
             volume: mass.volume,
             area: mass.area,
             centre: mass.center,
+            inertia: mass.inertia,
             min: bounds.min,
             max: bounds.max,
             brep: solid.brep.clone(),
@@ -247,7 +248,10 @@ impl Bench {
             name: leaf.path.last().cloned().unwrap_or_default(),
             product: leaf.product,
             volume: leaf.volume,
-            centre: leaf.center,
+            centre: leaf.own_center,
+            inertia: leaf.inertia,
+            bounds: (leaf.bounds.min, leaf.bounds.max),
+            placement: leaf.placement,
         };
         let instances = step::read(&bytes)?.into_iter().map(leaf).collect();
         Ok((Reply::Step(StepFacts { instances }), bytes))
