@@ -351,22 +351,32 @@ pub(crate) fn world_box(built: &[Option<Built>], placed: &Placed, i: usize) -> O
 /// are spread the most.
 pub(crate) fn near_pairs(boxes: &[Option<Box3>], margin_mm: f64) -> Vec<(usize, usize)> {
     let known = boxes.iter().enumerate();
-    let mut known: Vec<(usize, &Box3)> =
-        known.filter_map(|(i, b)| Some((i, b.as_ref()?))).collect();
+    let known = known.filter_map(|(i, b)| Some((i, b.as_ref()?)));
+    let number = |(_, b): &(usize, &Box3)| b.0.iter().chain(&b.1).all(|x| x.is_finite());
+    // A box that is no number is apart from nothing, and has no place in a row.
+    let (mut row, odd): (Vec<_>, Vec<_>) = known.partition(number);
     let at = |p: &[f64; 3], axis: usize| p.get(axis).copied().unwrap_or_default();
     let spread = |axis: usize| {
-        let lows = known.iter().map(|(_, b)| at(&b.0, axis));
+        let lows = row.iter().map(|(_, b)| at(&b.0, axis));
         let ends = (f64::INFINITY, f64::NEG_INFINITY);
         let (low, high) = lows.fold(ends, |(l, h), x| (l.min(x), h.max(x)));
         high - low
     };
     let axis = (0..3).fold(0, |a, b| if spread(b) > spread(a) { b } else { a });
-    known.sort_by(|(i, a), (j, b)| at(&a.0, axis).total_cmp(&at(&b.0, axis)).then(i.cmp(j)));
+    row.sort_by(|(i, a), (j, b)| {
+        let order = at(&a.0, axis).total_cmp(&at(&b.0, axis));
+        order.then(i.cmp(j))
+    });
     let mut out = Vec::new();
-    for (n, (i, a)) in known.iter().enumerate() {
-        let beside = known.iter().skip(n + 1);
+    for (n, (i, a)) in row.iter().enumerate() {
+        let beside = row.iter().skip(n + 1);
         let beside = beside.take_while(|(_, b)| at(&b.0, axis) <= at(&a.1, axis) + margin_mm);
         let near = beside.filter(|(_, b)| !apart(a, b, margin_mm));
+        out.extend(near.map(|(j, _)| (*i.min(j), *i.max(j))));
+    }
+    for (n, (i, a)) in odd.iter().enumerate() {
+        let others = row.iter().chain(odd.iter().skip(n + 1));
+        let near = others.filter(|(_, b)| !apart(a, b, margin_mm));
         out.extend(near.map(|(j, _)| (*i.min(j), *i.max(j))));
     }
     out.sort_unstable();

@@ -114,6 +114,11 @@ fn a_sweep_finds_the_pairs_that_are_near() {
                 let low = [x * next(), y * next(), z * next()];
                 let size = [next(), 2.0 * next(), next()];
                 let high = core::array::from_fn(|k| low[k] + size[k]);
+                let low = if i == 50 || i == 70 {
+                    [f64::NAN, low[1], f64::NAN]
+                } else {
+                    low
+                };
                 (i % 11 != 0).then_some((low, high))
             })
             .collect();
