@@ -32,7 +32,7 @@ const LIBRARIES: [&str; 23] = [
     "TKernel",
 ];
 
-const SOURCES: [&str; 22] = [
+const SOURCES: [&str; 25] = [
     "along",
     "areas",
     "canonical",
@@ -40,6 +40,7 @@ const SOURCES: [&str; 22] = [
     "common",
     "curves",
     "facts",
+    "flat",
     "integrals",
     "io",
     "look",
@@ -48,6 +49,8 @@ const SOURCES: [&str; 22] = [
     "place",
     "primitives",
     "query",
+    "sides",
+    "skin",
     "solids",
     "start",
     "step_read",
@@ -78,7 +81,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     build
         .std("c++17")
-        .opt_level(1)
+        .opt_level(2)
         .debug(false)
         // As a system folder: OCCT's headers are not ours to be warned about.
         .flag_if_supported(format!("-isystem{include}"))

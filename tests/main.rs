@@ -2,6 +2,8 @@
 #![cfg(test)]
 
 mod admission;
+#[cfg(test)]
+mod admission_order;
 mod axioms;
 mod bad_input;
 mod bolted;

@@ -7,15 +7,16 @@ use assemcad_model::mates::Residual;
 use assemcad_model::report::rounded;
 use assemcad_model::spec::text::normalise;
 use assemcad_model::spec::{Assembly, Mate, Part};
+use assemcad_placing::resolved::part_unknown;
+use assemcad_placing::solids::{Box3, box_of, build};
+use assemcad_placing::{Placements, Resolved, ResolvedMate, ResolvedPart, place};
+use assemcad_verify::axioms::cite::Cited;
 use serde_json::json;
 
-use crate::axioms::cite::Cited;
-use crate::build::{Box3, box_of};
-use crate::place::Placed;
-use crate::resolve::{self, Resolved, ResolvedMate, ResolvedPart};
+use crate::resolve;
 use crate::state::State;
-use crate::store::check_name;
-use crate::{Faults, Workshop, place};
+use crate::{Faults, Workshop};
+use assemcad_store::check_name;
 
 /// Whether a change changed anything: a call made twice changes nothing the second time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -130,7 +131,7 @@ impl Workshop {
         if !faults.is_empty() {
             return Err(faults);
         }
-        let built = self.build(&resolved).await.map_err(one)?;
+        let built = build(self.door.asker(), &resolved).await.map_err(one)?;
         if change == Change::Made {
             spec.parts.push(part);
         }
@@ -208,14 +209,14 @@ impl Workshop {
         &self,
         before: &Resolved,
         after: &Resolved,
-        now: &Placed,
+        now: &Placements,
     ) -> Result<Vec<(String, Box3)>, Faults> {
         let then = place::assembly(before).map_err(one)?;
         let mut boxes = Vec::new();
         for (i, part) in after.parts.iter().enumerate() {
             if let (None, Some(at)) = (then.of(i), now.of(i)) {
                 // The mate is accepted and on disk: a lost worker must not make it look refused.
-                if let Ok(built) = self.build(part).await {
+                if let Ok(built) = build(self.door.asker(), part).await {
                     boxes.push((part.id.clone(), box_of(&built, &at)));
                 }
             }
@@ -253,7 +254,7 @@ impl Workshop {
         let mut spec = self.store.load(assembly).map_err(one)?;
         let resolved = resolve::assembly(self, &spec).await?;
         if spec.part(id).is_none() {
-            return Err(one(resolve::part_unknown(&resolved.parts, id, "name")));
+            return Err(one(part_unknown(&resolved.parts, id, "name")));
         }
         let users: Vec<&str> = spec.mates_of(id).map(|m| m.id.as_str()).collect();
         if let Some(first) = users.first() {

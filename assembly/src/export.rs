@@ -1,32 +1,21 @@
 //! STEP files of assemblies.
 
-use assemcad_kernel::protocol::{Instance, Job, Product, Reply, StepFacts};
+use assemcad_factories::failure::diagnostic;
+use assemcad_kernel::protocol::StepFacts;
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{Report, StepFile, Verdict};
 use assemcad_model::spec::Assembly;
-use futures::future::join_all;
-use serde_json::json;
+use assemcad_placing::partial::no_parts;
+use assemcad_placing::products::products;
+use assemcad_placing::solids::build_all;
+use assemcad_placing::{Placements, Resolved, ResolvedPart, place};
 
-use crate::build::{diagnostic, unexpected};
 use crate::report_files::{self, report_file};
-use crate::resolve::{self, Resolved};
-use crate::state::hash;
-use crate::store::file_of;
-use crate::{Faults, Workshop, place};
-
-/// Colours of products, given out in the order in which products first appear: muted tones that
-/// are told apart next to each other.
-const PALETTE: [[f64; 3]; 8] = [
-    [0.62, 0.65, 0.69],
-    [0.33, 0.51, 0.70],
-    [0.80, 0.62, 0.33],
-    [0.45, 0.62, 0.45],
-    [0.72, 0.45, 0.42],
-    [0.55, 0.49, 0.69],
-    [0.41, 0.64, 0.66],
-    [0.74, 0.70, 0.52],
-];
+use crate::resolve;
+use crate::step_header::of_specification;
+use crate::{Faults, Workshop};
+use assemcad_store::file_of;
 
 /// How far a volume may be from what it was when a STEP file is read back, relative.
 const READ_BACK_TOLERANCE: f64 = 1e-6;
@@ -144,60 +133,46 @@ impl Workshop {
         let one = |d: Diagnostic| vec![d];
         let id = spec.id.as_str();
         let resolved = resolve::assembly(self, spec).await?;
-        let measured = self.ready(id, &resolved).await?;
-        let specification_sha256 = hash(spec).map_err(one)?;
-        let (solids, instances) = tree(&resolved).map_err(one)?;
+        let placements = place::assembly(&resolved).map_err(one)?;
+        let measured = self.ready(id, &resolved, &placements).await?;
+        let specification_sha256 = spec.sha256().map_err(one)?;
+        let (solids, instances) = products(&resolved, &placements);
         let mut description = vec![
             "assemcad assembly".to_owned(),
             of_specification(&specification_sha256),
         ];
         for solid in &solids {
             let hash = solid.recipe.hash();
-            let hash =
-                hash.map_err(|e| one(Diagnostic::error(Code::Internal, id, e.to_string())))?;
             description.push(format!("recipe sha256 {hash} of {}", solid.name));
         }
-        let job = Job::Step {
-            name: id.to_owned(),
-            description,
-            solids,
-            instances,
-        };
-        let (facts, bytes) = match self.pool.run_fresh(&job).await {
-            Ok((Reply::Step(facts), bytes)) => (facts, bytes),
-            Ok(_) => return Err(one(unexpected(&job))),
-            Err(f) => return Err(one(diagnostic(&f, "export_step"))),
-        };
+        let (products, parts) = (solids.len(), instances.len());
+        let step = self
+            .door
+            .asker()
+            .step(id, description, solids, instances)
+            .await;
+        let (facts, bytes) = step.map_err(|f| one(diagnostic(&f, "export_step")))?;
         check_read_back(&resolved, &measured, &facts).map_err(one)?;
-        let Job::Step {
-            solids, instances, ..
-        } = &job
-        else {
-            return Err(one(unexpected(&job)));
-        };
         Ok(Step {
             bytes,
             specification_sha256,
-            products: solids.len(),
-            instances: instances.len(),
+            products,
+            instances: parts,
         })
     }
 
     /// Volume and centre in the world of all parts; every part must have a place and be made.
-    async fn ready(&self, id: &str, resolved: &Resolved) -> Result<Vec<(f64, [f64; 3])>, Faults> {
+    async fn ready(
+        &self,
+        id: &str,
+        resolved: &Resolved,
+        placements: &Placements,
+    ) -> Result<Vec<(f64, [f64; 3])>, Faults> {
         if resolved.parts.is_empty() {
-            return Err(vec![
-                Diagnostic::error(
-                    Code::AssemblyEmpty,
-                    "assembly",
-                    format!("'{id}' has no parts"),
-                )
-                .next("list_factories", json!({})),
-            ]);
+            return Err(vec![no_parts(id)]);
         }
-        let placed = place::assembly(resolved).map_err(|d| vec![d])?;
-        let lost = |(i, p): (usize, &resolve::ResolvedPart)| {
-            placed.of(i).is_none().then(|| {
+        let lost = |(i, p): (usize, &ResolvedPart)| {
+            placements.of(i).is_none().then(|| {
                 Diagnostic::error(
                     Code::Unconnected,
                     format!("part '{}'", p.id),
@@ -208,9 +183,9 @@ impl Workshop {
         };
         let mut faults: Faults = resolved.parts.iter().enumerate().filter_map(lost).collect();
         let mut solids = Vec::new();
-        let built = join_all(resolved.parts.iter().map(|p| self.build(p))).await;
+        let built = build_all(self.door.asker(), resolved).await;
         for (i, built) in built.into_iter().enumerate() {
-            match (built, placed.of(i)) {
+            match (built, placements.of(i)) {
                 (Ok(b), Some(at)) => solids.push((b.volume, at.point(b.centre))),
                 (Ok(_), None) => {}
                 (Err(d), _) => faults.push(d),
@@ -222,60 +197,6 @@ impl Workshop {
             Err(faults)
         }
     }
-}
-
-/// The line of a STEP file's description that says of which specification it is.
-fn of_specification(sha256: &str) -> String {
-    format!("specification sha256 {sha256}")
-}
-
-/// Whether a STEP file's description says that it is of this specification.
-pub(crate) fn names_specification(step: &[u8], sha256: &str) -> bool {
-    // It stands in the first lines, which are broken anywhere.
-    let head = step.iter().take(4096).copied();
-    let head: Vec<u8> = head.filter(|c| !matches!(c, b'\n' | b'\r')).collect();
-    String::from_utf8_lossy(&head).contains(&of_specification(sha256))
-}
-
-/// The distinct solids, in the order in which they first appear, and the parts as their instances.
-pub(crate) fn tree(resolved: &Resolved) -> Result<(Vec<Product>, Vec<Instance>), Diagnostic> {
-    let placed = place::assembly(resolved)?;
-    let mut hashes: Vec<String> = Vec::new();
-    let mut products: Vec<Product> = Vec::new();
-    let mut instances = Vec::new();
-    for (i, part) in resolved.parts.iter().enumerate() {
-        let recipe = &part.made.recipe;
-        let hash = recipe
-            .hash()
-            .map_err(|e| Diagnostic::error(Code::Internal, &part.id, e.to_string()))?;
-        let solid = match hashes.iter().position(|h| *h == hash) {
-            Some(there) => there,
-            None => {
-                let same = |p: &&Product| {
-                    p.name == part.factory || p.name.starts_with(&format!("{}-", part.factory))
-                };
-                let name = match products.iter().filter(same).count() {
-                    0 => part.factory.clone(),
-                    n => format!("{}-{}", part.factory, n + 1),
-                };
-                let color = PALETTE.get(products.len() % PALETTE.len()).copied();
-                products.push(Product {
-                    name,
-                    recipe: recipe.clone(),
-                    color: color.unwrap_or_default(),
-                });
-                hashes.push(hash);
-                products.len() - 1
-            }
-        };
-        let placement = placed.of(i).unwrap_or_default();
-        instances.push(Instance {
-            name: part.id.clone(),
-            solid,
-            placement: placement.into(),
-        });
-    }
-    Ok((products, instances))
 }
 
 fn check_read_back(

@@ -1,22 +1,12 @@
 //! An assembly as far as it can be made and placed.
 
-use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::spec::Assembly;
+use assemcad_placing::partial::no_parts;
+use assemcad_placing::{Partial, Resolved, place};
 use futures::future::join_all;
-use serde_json::json;
 
-use crate::place::{self, Placed};
-use crate::resolve::{self, Resolved};
+use crate::resolve;
 use crate::{Faults, Workshop};
-
-/// What could be made and placed, and what not.
-#[derive(Debug)]
-pub(crate) struct Partial {
-    pub(crate) resolved: Resolved,
-    pub(crate) placed: Placed,
-    /// One sentence for everything that is missing.
-    pub(crate) missing: Vec<String>,
-}
 
 /// Makes and places what can be.
 ///
@@ -24,14 +14,7 @@ pub(crate) struct Partial {
 /// When there is no part, or none that can be made.
 pub(crate) async fn of(workshop: &Workshop, spec: &Assembly) -> Result<Partial, Faults> {
     if spec.parts.is_empty() {
-        return Err(vec![
-            Diagnostic::error(
-                Code::AssemblyEmpty,
-                "assembly",
-                format!("'{}' has no parts", spec.id),
-            )
-            .next("list_factories", json!({})),
-        ]);
+        return Err(vec![no_parts(&spec.id)]);
     }
     let places: Vec<String> = (0..spec.parts.len())
         .map(|i| format!("parts[{i}]"))
@@ -83,26 +66,15 @@ pub(crate) async fn of(workshop: &Workshop, spec: &Assembly) -> Result<Partial, 
         mates,
         root: Some(wanted.unwrap_or_default()),
     };
-    let placed = place::assembly(&resolved).map_err(|d| vec![d])?;
+    let placements = place::assembly(&resolved).map_err(|d| vec![d])?;
     for (i, part) in resolved.parts.iter().enumerate() {
-        if placed.of(i).is_none() {
+        if placements.of(i).is_none() {
             missing.push(format!("{}: no mate joins it to the root", part.id));
         }
     }
     Ok(Partial {
         resolved,
-        placed,
+        placements,
         missing,
     })
-}
-
-/// The diagnostic for a part that is in the assembly but has no place or no solid.
-pub(crate) fn nowhere(id: &str, place: &str) -> Diagnostic {
-    Diagnostic::error(
-        Code::Unconnected,
-        place,
-        format!("'{id}' has no place or could not be made"),
-    )
-    .found(id)
-    .hint("join it to the root with the mate tool; verify says what is wrong with it")
 }

@@ -6,16 +6,18 @@ use assemcad_kernel::protocol::Built;
 use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::report::{Finding, Report, Verdict};
 use assemcad_model::spec::Assembly;
-use futures::future::join_all;
+use assemcad_placing::solids::build_all;
+use assemcad_placing::{Resolved, place};
+use assemcad_verify::checks::ports::check;
+use assemcad_verify::{Results, Terms};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::export::{Exported, Step};
-use crate::resolve::{self, Resolved};
+use crate::resolve;
 use crate::state::State;
-use crate::store::{file_of, specification, yaml_bytes};
-use crate::verify::{self, Terms};
-use crate::{Faults, Workshop, place, report_files};
+use crate::{Faults, Workshop, report_files};
+use assemcad_store::{file_of, specification, yaml_bytes};
 
 /// The stages, in order.
 pub const STAGES: [&str; 7] = [
@@ -57,12 +59,12 @@ pub struct Realized {
     /// The seven stages.
     pub stages: Vec<Stage>,
     /// What is on disk now; none where everything was left as it was.
-    pub kept: Option<Kept>,
+    pub kept: Option<Stored>,
 }
 
 /// What a realisation left on disk.
 #[derive(Debug)]
-pub struct Kept {
+pub struct Stored {
     /// The assembly now.
     pub state: State,
     /// Its STEP file.
@@ -72,12 +74,12 @@ pub struct Kept {
 }
 
 /// Stages as they come in, and the time at which the present one began.
-struct Run {
+struct Progress {
     stages: Vec<Stage>,
     began: Instant,
 }
 
-impl Run {
+impl Progress {
     fn end(&mut self, verdict: Verdict, summary: String, diagnostics: Vec<Diagnostic>) {
         let stage = STAGES.get(self.stages.len()).copied().unwrap_or_default();
         let ms = self.began.elapsed().as_millis();
@@ -124,7 +126,7 @@ impl Workshop {
         terms: &Terms,
         keep_failed: bool,
     ) -> Result<Realized, Faults> {
-        let mut run = Run {
+        let mut progress = Progress {
             stages: Vec::new(),
             began: Instant::now(),
         };
@@ -134,37 +136,37 @@ impl Workshop {
             let errors = |d: &&Diagnostic| d.severity == Severity::Error;
             if checked.diagnostics.iter().filter(errors).all(of_kernel) {
                 // The draft is in order and every part has a recipe: it is the solids that fail.
-                run.end(Verdict::Pass, "the form is in order".to_owned(), Vec::new());
-                run.end(
+                progress.end(Verdict::Pass, "the form is in order".to_owned(), Vec::new());
+                progress.end(
                     Verdict::Pass,
                     "every part has a recipe".to_owned(),
                     Vec::new(),
                 );
                 let verdict = verdict_of(&checked.diagnostics);
-                run.end(verdict, String::new(), checked.diagnostics);
+                progress.end(verdict, String::new(), checked.diagnostics);
                 return Ok(Realized {
                     id,
-                    stages: run.all(),
+                    stages: progress.all(),
                     kept: None,
                 });
             }
             let summary = format!("round {} of {}", checked.round, self.draft_rounds);
-            run.end(Verdict::Fail, summary, checked.diagnostics);
+            progress.end(Verdict::Fail, summary, checked.diagnostics);
             return Ok(Realized {
                 id,
-                stages: run.all(),
+                stages: progress.all(),
                 kept: None,
             });
         };
         let summary = format!("{} parts, {} mates", spec.parts.len(), spec.mates.len());
-        run.end(Verdict::Pass, summary, checked.diagnostics);
-        let kept = match self.stages(&spec, terms, keep_failed, &mut run).await {
+        progress.end(Verdict::Pass, summary, checked.diagnostics);
+        let kept = match self.stages(&spec, terms, keep_failed, &mut progress).await {
             Ok((resolved, report, step)) => Some(self.keep(&spec, &resolved, report, step).await?),
             Err(Stopped) => None,
         };
         Ok(Realized {
             id,
-            stages: run.all(),
+            stages: progress.all(),
             kept,
         })
     }
@@ -174,10 +176,10 @@ impl Workshop {
         spec: &Assembly,
         terms: &Terms,
         keep_failed: bool,
-        run: &mut Run,
+        progress: &mut Progress,
     ) -> Result<(Resolved, Report, Step), Stopped> {
-        let stop = |run: &mut Run, verdict, faults: Faults| {
-            run.end(verdict, String::new(), faults);
+        let stop = |progress: &mut Progress, verdict, faults: Faults| {
+            progress.end(verdict, String::new(), faults);
             Stopped
         };
         let resolved = match resolve::assembly(self, spec).await {
@@ -185,52 +187,53 @@ impl Workshop {
             Err(faults) => {
                 // What the kernel could not make had a recipe: that is the next stage's failure.
                 if faults.iter().all(of_kernel) {
-                    run.end(
+                    progress.end(
                         Verdict::Pass,
                         "every part has a recipe".to_owned(),
                         Vec::new(),
                     );
                 }
-                return Err(stop(run, verdict_of(&faults), faults));
+                return Err(stop(progress, verdict_of(&faults), faults));
             }
         };
-        run.end(Verdict::Pass, recipes(&resolved), Vec::new());
+        progress.end(Verdict::Pass, recipes(&resolved), Vec::new());
 
         let mut built: Vec<Option<Built>> = Vec::new();
         let mut faults = Vec::new();
-        for result in join_all(resolved.parts.iter().map(|p| self.build(p))).await {
+        for result in build_all(self.door.asker(), &resolved).await {
             match result {
                 Ok(b) => built.push(Some(b)),
                 Err(d) => faults.push(d),
             }
         }
         if !faults.is_empty() {
-            return Err(stop(run, verdict_of(&faults), faults));
+            return Err(stop(progress, verdict_of(&faults), faults));
         }
         let summary = format!("{} valid solids", built.len());
-        run.end(Verdict::Pass, summary, Vec::new());
+        progress.end(Verdict::Pass, summary, Vec::new());
 
-        let ports = self.port_stage(&resolved, &built, run).await;
-        let failed = run.stages.last().and_then(|s| s.verdict) == Some(Verdict::Fail);
+        let ports = self.port_stage(&resolved, &built, progress).await;
+        let failed = progress.stages.last().and_then(|s| s.verdict) == Some(Verdict::Fail);
         if failed && !keep_failed {
             return Err(Stopped);
         }
 
-        let placed = place::assembly(&resolved).map_err(|d| stop(run, Verdict::Fail, vec![d]))?;
-        let n = placed.parts.iter().flatten().count();
-        run.end(Verdict::Pass, format!("{n} parts placed"), Vec::new());
+        let placements =
+            place::assembly(&resolved).map_err(|d| stop(progress, Verdict::Fail, vec![d]))?;
+        let n = placements.parts.iter().flatten().count();
+        progress.end(Verdict::Pass, format!("{n} parts placed"), Vec::new());
 
         let report = match self.verify_specification(spec, terms, Some(ports)).await {
             Ok(report) => report,
-            Err(faults) => return Err(stop(run, verdict_of(&faults), faults)),
+            Err(faults) => return Err(stop(progress, verdict_of(&faults), faults)),
         };
         let summary = format!(
             "{} checks, {} findings",
             report.checks.len(),
             report.findings.len()
         );
-        run.end(report.verdict, summary, Vec::new());
-        if let Some(stage) = run.stages.last_mut() {
+        progress.end(report.verdict, summary, Vec::new());
+        if let Some(stage) = progress.stages.last_mut() {
             stage.findings.clone_from(&report.findings);
         }
         if report.verdict == Verdict::Fail && !keep_failed {
@@ -239,10 +242,10 @@ impl Workshop {
 
         let step = match self.step(spec).await {
             Ok(step) => step,
-            Err(faults) => return Err(stop(run, verdict_of(&faults), faults)),
+            Err(faults) => return Err(stop(progress, verdict_of(&faults), faults)),
         };
         let summary = format!("{} parts, {} bytes", step.instances, step.bytes.len());
-        run.end(Verdict::Pass, summary, Vec::new());
+        progress.end(Verdict::Pass, summary, Vec::new());
         Ok((resolved, report, step))
     }
 
@@ -252,20 +255,20 @@ impl Workshop {
         &self,
         resolved: &Resolved,
         built: &[Option<Built>],
-        run: &mut Run,
-    ) -> verify::Run {
-        let mut ports = verify::Run::default();
-        self.check_ports(resolved, built, &mut ports).await;
+        progress: &mut Progress,
+    ) -> Results {
+        let mut ports = Results::default();
+        check(self.door.asker(), resolved, built, &mut ports).await;
         let cases: usize = ports.checks.iter().map(|c| c.cases).sum();
         let verdicts = ports.checks.iter().map(|c| c.verdict);
         // A check that did not take place has passed nothing.
         let verdict = verdicts.reduce(Verdict::and);
-        run.end(
+        progress.end(
             verdict.unwrap_or(Verdict::Indeterminate),
             format!("{cases} ports, {} findings", ports.findings.len()),
             Vec::new(),
         );
-        if let Some(stage) = run.stages.last_mut() {
+        if let Some(stage) = progress.stages.last_mut() {
             stage.findings.clone_from(&ports.findings);
         }
         ports
@@ -278,7 +281,7 @@ impl Workshop {
         resolved: &Resolved,
         mut report: Report,
         step: Step,
-    ) -> Result<Kept, Faults> {
+    ) -> Result<Stored, Faults> {
         let one = |d: Diagnostic| vec![d];
         let id = spec.id.as_str();
         let mut state = State::of(spec, resolved).map_err(one)?;
@@ -296,7 +299,7 @@ impl Workshop {
         files.extend(reports.iter().map(|(p, b)| (p.as_str(), b.as_slice())));
         files.push((&specification, &yaml));
         self.store.write_all(&files).map_err(one)?;
-        Ok(Kept {
+        Ok(Stored {
             state,
             exported: step.exported(step_file, Some(report.verdict)),
             replaced,

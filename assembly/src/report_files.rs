@@ -2,10 +2,11 @@
 
 use assemcad_model::diagnostic::Diagnostic;
 use assemcad_model::report::{Report, StepFile};
+use assemcad_report::{html, markdown, page};
 
-use crate::export::names_specification;
-use crate::store::{file_of, json_bytes};
-use crate::{Workshop, page};
+use crate::Workshop;
+use crate::step_header::names_specification;
+use assemcad_store::{file_of, json_bytes};
 
 /// The file of an assembly's report, below the root.
 #[must_use]
@@ -33,11 +34,8 @@ pub(crate) fn files(report: &Report) -> Result<[(String, Vec<u8>); 3], Diagnosti
     let bytes = json_bytes(&json, report)?;
     Ok([
         (json, bytes),
-        (
-            report_markdown(id),
-            page::markdown::render(&page).into_bytes(),
-        ),
-        (report_html(id), page::html::render(&page).into_bytes()),
+        (report_markdown(id), markdown::render(&page).into_bytes()),
+        (report_html(id), html::render(&page).into_bytes()),
     ])
 }
 

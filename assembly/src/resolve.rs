@@ -1,78 +1,17 @@
 //! From the names in a specification to recipes and ports.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
 
 use assemcad_model::diagnostic::{Code, Diagnostic};
-use assemcad_model::mates::{Joint, MateType, Options};
-use assemcad_model::name::nearest;
-use assemcad_model::param::clip;
+use assemcad_model::mates::{Joint, MateType};
 use assemcad_model::ports::Port;
 use assemcad_model::spec::{Assembly, End, Mate, Part};
+use assemcad_placing::resolved::{part_unknown, port_among};
+use assemcad_placing::{Resolved, ResolvedMate, ResolvedPart};
 use futures::future::join_all;
 use serde_json::json;
 
-use crate::made::Made;
 use crate::{Faults, Workshop};
-
-/// A part with its recipe and ports.
-#[derive(Debug, Clone)]
-pub struct ResolvedPart {
-    /// Name.
-    pub id: String,
-    /// Name of the factory.
-    pub factory: String,
-    /// Recipe, ports, and the source lines of the recipe's calls.
-    pub made: Arc<Made>,
-}
-
-impl ResolvedMate {
-    /// The two ports and the options.
-    #[must_use]
-    pub fn joint(&self) -> Joint<'_> {
-        Joint {
-            base: &self.base_port,
-            incoming: &self.incoming_port,
-            options: &self.options,
-        }
-    }
-}
-
-impl ResolvedPart {
-    /// The part's ports.
-    #[must_use]
-    pub fn ports(&self) -> &[Port] {
-        &self.made.ports
-    }
-}
-
-/// A mate with its parts (by index), ports and checked options.
-#[derive(Debug, Clone)]
-pub struct ResolvedMate {
-    /// The mate as it is written.
-    pub mate: Mate,
-    /// Index of the base part.
-    pub base: usize,
-    /// Index of the incoming part.
-    pub incoming: usize,
-    /// The base port.
-    pub base_port: Port,
-    /// The incoming port.
-    pub incoming_port: Port,
-    /// The options, complete.
-    pub options: Options,
-}
-
-/// A specification all of whose names were found.
-#[derive(Debug, Clone)]
-pub struct Resolved {
-    /// The parts, in the specification's order.
-    pub parts: Vec<ResolvedPart>,
-    /// The mates, in the specification's order.
-    pub mates: Vec<ResolvedMate>,
-    /// Index of the root part; none in an assembly without parts.
-    pub root: Option<usize>,
-}
 
 /// Resolves a whole specification.
 ///
@@ -272,62 +211,6 @@ fn mate_among(
 
 fn index(parts: &[ResolvedPart], id: &str) -> Option<usize> {
     parts.iter().position(|p| p.id == id)
-}
-
-pub(crate) fn port<'a>(
-    parts: &'a [ResolvedPart],
-    end: &End,
-    place: &str,
-) -> Result<(usize, &'a Port), Diagnostic> {
-    port_among(parts, &|id| index(parts, id), end, place)
-}
-
-fn port_among<'a>(
-    parts: &'a [ResolvedPart],
-    named: &dyn Fn(&str) -> Option<usize>,
-    end: &End,
-    place: &str,
-) -> Result<(usize, &'a Port), Diagnostic> {
-    let Some((i, part)) = named(&end.part).and_then(|i| Some((i, parts.get(i)?))) else {
-        return Err(part_unknown(parts, &end.part, place));
-    };
-    if let Some(port) = part.ports().iter().find(|p| p.name == end.port) {
-        return Ok((i, port));
-    }
-    let names: Vec<&str> = part.ports().iter().map(|p| p.name.as_str()).collect();
-    let d = Diagnostic::error(
-        Code::PortUnknown,
-        place,
-        format!(
-            "part '{}' ({}) has no port '{}'",
-            part.id,
-            part.factory,
-            clip(&end.port)
-        ),
-    )
-    .found(end.port.as_str())
-    .expected(json!(names));
-    Err(match nearest(&end.port, names, 1).first() {
-        Some(near) => d.hint(format!("did you mean '{}:{near}'?", part.id)),
-        None => d,
-    })
-}
-
-/// The diagnostic for a part that is not there.
-#[must_use]
-pub fn part_unknown(parts: &[ResolvedPart], id: &str, place: &str) -> Diagnostic {
-    let names: Vec<&str> = parts.iter().map(|p| p.id.as_str()).collect();
-    let d = Diagnostic::error(
-        Code::PartUnknown,
-        place,
-        format!("there is no part '{}'", clip(id)),
-    )
-    .found(id)
-    .expected(json!(names));
-    match nearest(id, names, 1).first() {
-        Some(near) => d.hint(format!("did you mean '{near}'?")),
-        None => d,
-    }
 }
 
 /// The diagnostic for ports that this mate type does not join: says what would.

@@ -4,11 +4,9 @@ use assemcad_model::diagnostic::Diagnostic;
 use assemcad_model::frame::Rows;
 use assemcad_model::report::rounded;
 use assemcad_model::spec::Assembly;
+use assemcad_placing::{Resolved, place};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-
-use crate::place;
-use crate::resolve::Resolved;
 
 /// The state of an assembly.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -93,12 +91,12 @@ impl State {
     /// # Errors
     /// When a port's frame is none.
     pub fn of(spec: &Assembly, resolved: &Resolved) -> Result<Self, Diagnostic> {
-        let placed = place::assembly(resolved)?;
+        let placements = place::assembly(resolved)?;
         let mut parts = Vec::new();
         let mut unplaced = Vec::new();
         for (i, part) in resolved.parts.iter().enumerate() {
-            let by = placed.placed_by.get(i).copied().flatten();
-            let origin = placed.of(i).map(|p| {
+            let by = placements.placed_by.get(i).copied().flatten();
+            let origin = placements.of(i).map(|p| {
                 let Rows([x, y, z]) = p.into();
                 [x, y, z].map(|[.., t]| rounded(t))
             });
@@ -120,18 +118,8 @@ impl State {
             parts,
             mates: spec.mates.iter().map(|m| m.id.clone()).collect(),
             unplaced,
-            specification_sha256: hash(spec)?,
+            specification_sha256: spec.sha256()?,
             warnings: Vec::new(),
         })
     }
-}
-
-/// The SHA-256 of a specification.
-///
-/// # Errors
-/// When it holds a number that is not finite, which nothing read from JSON does.
-pub fn hash(spec: &Assembly) -> Result<String, Diagnostic> {
-    use assemcad_model::diagnostic::Code;
-    spec.hash()
-        .map_err(|e| Diagnostic::error(Code::Internal, &spec.id, e.to_string()))
 }

@@ -1,6 +1,5 @@
 //! Factories that users write: asked for, held against the gate, kept, and loaded again.
 //!
-//! `factories/NAME@VERSION.star` is a source and `factories/NAME@VERSION.json` on what it was admitted.
 //! A version never changes by itself: a newer source under the same name is a new version, and an
 //! assembly names the version that it was built with.
 
@@ -8,24 +7,17 @@ use std::sync::Arc;
 
 use assemcad_factories::Admitted;
 use assemcad_factories::admission::{
-    Admission, Gate, NAMESPACE, Record, Report, Request, file_name, is_valid_user_name,
-    split_version,
+    Admission, Extent, Gate, Manner, NAMESPACE, Progress, Record, Report, Request,
+    is_valid_user_name,
 };
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name;
 use assemcad_model::param::clip;
+use assemcad_store::{Round, history};
 use serde_json::json;
 
-use crate::rounds::{self, Round};
-use crate::store::json_bytes;
 use crate::{Faults, Workshop};
-
-/// How many rounds a source has where the server's command line says nothing.
-pub const DEFAULT_ROUNDS: usize = 5;
-
-/// Where admitted factories are kept.
-const FOLDER: &str = "factories";
 
 /// Where the rounds of requests are counted.
 const ROUNDS: &str = ".assemcad/syntheses";
@@ -41,6 +33,8 @@ pub struct Asked {
     pub source: Option<String>,
     /// Whether a factory that works in a part of its ranges only is admitted for that part.
     pub narrowed: bool,
+    /// At which sets of parameters the source is tried.
+    pub extent: Extent,
 }
 
 /// What became of a request.
@@ -52,6 +46,8 @@ pub enum Synthesis {
     Wanted,
     /// The source was admitted.
     Admitted(Box<Admitted>),
+    /// The limit on time was reached, and nothing was wrong so far: no round is used up.
+    Unfinished(Box<Report>),
     /// The source is at fault.
     Refused(Box<Refusal>),
 }
@@ -67,11 +63,16 @@ pub struct Refusal {
 
 impl Workshop {
     /// Answers a request for a factory: with one that is known, with the news that one has to be
-    /// written, or with the gate's judgement of the source. What is admitted is on disk when this returns.
+    /// written, or with the gate's judgement of the source; `watch` is told how far that has come. What is
+    /// admitted is on disk when this returns.
     ///
     /// # Errors
     /// Everything that is wrong with the name and the request; the history, where the rounds are used up.
-    pub async fn synthesize(&self, asked: &Asked) -> Result<Synthesis, Faults> {
+    pub async fn synthesize(
+        &self,
+        asked: &Asked,
+        watch: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Synthesis, Faults> {
         let mut faults: Faults = name_fault(self, &asked.name).into_iter().collect();
         faults.extend(asked.request.faults());
         if !faults.is_empty() {
@@ -82,7 +83,11 @@ impl Workshop {
             let known = self.registry.admitted_for(&hash);
             return Ok(known.map_or(Synthesis::Wanted, |a| Synthesis::Known(Box::new(a))));
         };
-        if let Some(same) = self.same(&asked.name, &hash, source) {
+        let same = self.same(&asked.name, &hash, source);
+        if let Some(same) = &same
+            && same.record.evidence.sets >= asked.extent
+        {
+            let same = same.clone();
             return Ok(Synthesis::Known(Box::new(same)));
         }
         // Not the request's own hash alone: a new name begins anew.
@@ -93,10 +98,21 @@ impl Workshop {
         if before.len() >= self.synthesis_rounds && !again {
             return Err(vec![failed(&asked.name, &before)]);
         }
+        let manner = Manner {
+            extent: asked.extent,
+            narrowed: asked.narrowed,
+            watch,
+        };
         let gate = self.gate();
         let judged = gate
-            .judge(&asked.name, source, &asked.request, asked.narrowed)
+            .judge(&asked.name, source, &asked.request, manner)
             .await;
+        let judged = match judged {
+            Err(report) if report.findings.is_empty() => {
+                return Ok(Synthesis::Unfinished(report));
+            }
+            judged => judged,
+        };
         let faults: Faults = match &judged {
             Ok(_) => Vec::new(),
             Err(report) => report
@@ -112,7 +128,14 @@ impl Workshop {
             .map_err(one)?;
         match judged {
             Ok(admission) => {
-                let kept = self.keep_factory(asked, &hash, source, admission).await?;
+                let kept = match same {
+                    // The same source on more evidence is no other version.
+                    Some(same) => {
+                        self.on_more_evidence(&same.record, source, admission)
+                            .await?
+                    }
+                    None => self.keep_factory(asked, &hash, source, admission).await?,
+                };
                 Ok(Synthesis::Admitted(Box::new(kept)))
             }
             Err(_) if history.len() >= self.synthesis_rounds => {
@@ -129,8 +152,9 @@ impl Workshop {
 
     fn gate(&self) -> Gate<'_> {
         Gate {
-            pool: &self.pool,
+            door: self.door.asker(),
             evaluator: &self.evaluator,
+            limit: self.synthesis_limit,
         }
     }
 
@@ -160,17 +184,15 @@ impl Workshop {
         source: &str,
         admission: Admission,
     ) -> Result<Admitted, Faults> {
-        let _lock = self.store.lock_folder(FOLDER).await.map_err(one)?;
+        let _lock = self.store.lock_factories().await.map_err(one)?;
         let newest = self.registry.admitted(&asked.name);
         let newest = newest.map_or(0, |a| a.record.version);
         // Another server over the same folder may have admitted one that this one does not know.
-        let stored = self.store.files_in(FOLDER).map_err(one)?;
-        let versions = stored.iter().filter_map(|file| {
-            let stem = file.strip_suffix(".json").or(file.strip_suffix(".star"))?;
-            let (name, version) = split_version(stem)?;
-            (name == asked.name).then_some(version)
-        });
-        let newest = versions.max().unwrap_or(0).max(newest);
+        let newest = self
+            .store
+            .newest_version(&asked.name)
+            .map_err(one)?
+            .max(newest);
         let record = Record {
             format: Record::FORMAT,
             factory: asked.name.clone(),
@@ -181,77 +203,62 @@ impl Workshop {
             ranges: admission.ranges,
             evidence: admission.evidence,
         };
-        self.write(&record, Some(source))?;
+        self.store
+            .write_factory(&record, Some(source))
+            .map_err(one)?;
         let admitted = self.parsed(record, source).await?;
         self.registry.admit(admitted.clone());
         Ok(admitted)
     }
 
-    fn write(&self, record: &Record, source: Option<&str>) -> Result<(), Faults> {
-        let path = |extension| {
-            let file = file_name(&record.factory, record.version, extension);
-            format!("{FOLDER}/{file}")
+    /// Writes down on what a version stands now.
+    async fn on_more_evidence(
+        &self,
+        record: &Record,
+        source: &str,
+        admission: Admission,
+    ) -> Result<Admitted, Faults> {
+        let _lock = self.store.lock_factories().await.map_err(one)?;
+        self.renewed(record, source, admission).await
+    }
+
+    /// A version with another source or other evidence: on disk, then in the registry.
+    async fn renewed(
+        &self,
+        record: &Record,
+        source: &str,
+        admission: Admission,
+    ) -> Result<Admitted, Faults> {
+        let record = Record {
+            source_sha256: sha256(source.as_bytes()),
+            ranges: admission.ranges,
+            evidence: admission.evidence,
+            ..Record::clone(record)
         };
-        let (star, json) = (path("star"), path("json"));
-        let bytes = json_bytes(&json, record).map_err(one)?;
-        // The record is the last to be moved to its place: a source without one is not admitted.
-        let mut files: Vec<(&str, &[u8])> = Vec::new();
-        files.extend(source.map(|text| (star.as_str(), text.as_bytes())));
-        files.push((&json, &bytes));
-        self.store.write_all(&files).map_err(one)
+        self.store.write_factory(&record, None).map_err(one)?;
+        let admitted = self.parsed(record, source).await?;
+        self.registry.admit(admitted.clone());
+        Ok(admitted)
     }
 
     /// Loads the factories that were admitted before. What is at fault is reported and left out.
     pub async fn load_admitted(&self) -> Faults {
-        let files = match self.store.files_in(FOLDER) {
-            Ok(files) => files,
+        let stored = match self.store.admitted_factories() {
+            Ok(stored) => stored,
             Err(d) => return vec![d],
         };
         let mut found = Vec::new();
-        for file in &files {
-            let path = format!("{FOLDER}/{file}");
-            if let Some(stem) = file.strip_suffix(".json") {
-                match self.load(&path, stem).await {
-                    Ok(admitted) => self.registry.admit(admitted),
-                    Err(faults) => found.extend(faults),
-                }
-            } else if let Some(stem) = file.strip_suffix(".star")
-                && !files.contains(&format!("{stem}.json"))
-            {
-                let d = Diagnostic::error(
-                    Code::FileFailed,
-                    path,
-                    "this source was not admitted: there is no record beside it",
-                );
-                found.push(d.hint("give it to synthesize_factory"));
+        for factory in stored {
+            let admitted = match factory {
+                Ok(stored) => self.parsed(stored.record, &stored.source).await,
+                Err(d) => Err(one(d)),
+            };
+            match admitted {
+                Ok(admitted) => self.registry.admit(admitted),
+                Err(faults) => found.extend(faults),
             }
         }
         found
-    }
-
-    async fn load(&self, path: &str, stem: &str) -> Result<Admitted, Faults> {
-        let damaged = |what: &str| {
-            let d = Diagnostic::error(
-                Code::FileDamaged,
-                path,
-                format!("this is no record of a factory: {what}"),
-            );
-            vec![d.hint("give the source to synthesize_factory again")]
-        };
-        let text = self.store.read_text(path).map_err(one)?;
-        let record: Record =
-            serde_json::from_str(&text).map_err(|e| damaged(&format!("line {}", e.line())))?;
-        if record.format != Record::FORMAT {
-            return Err(damaged(&format!("format {}", record.format)));
-        }
-        if record.name() != stem || !is_valid_user_name(&record.factory) {
-            return Err(damaged("it names another factory than its file"));
-        }
-        let source = self
-            .store
-            .read_text(&format!("{FOLDER}/{stem}.star"))
-            .map_err(one)?;
-        self.parsed(record, &source).await
     }
 
     /// Looks at a factory again whose source was edited since it was admitted: what passes is admitted
@@ -268,36 +275,48 @@ impl Workshop {
         if edited().is_none() {
             return Ok(());
         }
-        let _lock = self.store.lock_folder(FOLDER).await.map_err(one)?;
+        let _lock = self.store.lock_factories().await.map_err(one)?;
         // Another request may have looked at it while this one waited.
         let Some(now) = edited() else {
             return Ok(());
         };
         let gate = self.gate();
         let (record, source) = (&now.record, now.factory.source());
-        let narrowed = !record.ranges.is_empty();
+        let manner = Manner {
+            extent: record.evidence.sets,
+            narrowed: !record.ranges.is_empty(),
+            watch: &|_| {},
+        };
         let judged = gate
-            .judge(&record.name(), source, &record.request, narrowed)
+            .judge(&record.name(), source, &record.request, manner)
             .await;
         let admission = judged.map_err(|report| {
-            let changed = Diagnostic::error(
-                Code::FactoryFailed,
-                format!("factory {}", record.name()),
-                "its source was edited since it was admitted, and does not pass the gate any more",
-            )
-            .hint("mend the file, or give the source to synthesize_factory as a new version");
+            let place = format!("factory {}", record.name());
+            let changed = if report.findings.is_empty() {
+                let left = report.tally.not_tried;
+                let text = format!(
+                    "its source was edited since it was admitted, and looking at it again took longer than \
+                     the limit of {} s: {left} of {} sets of parameters are left",
+                    self.synthesis_limit.as_secs(),
+                    report.tally.sets
+                );
+                Diagnostic::error(Code::FactoryFailed, place, text).hint(
+                    "use it again: solids that were made are kept; or start the server with a larger \
+                     --synthesis-s",
+                )
+            } else {
+                Diagnostic::error(
+                    Code::FactoryFailed,
+                    place,
+                    "its source was edited since it was admitted, and does not pass the gate any more",
+                )
+                .hint("mend the file, or give the source to synthesize_factory as a new version")
+            };
             let mut all = vec![changed];
             all.extend(report.findings.into_iter().map(|f| f.diagnostic));
             all
         })?;
-        let record = Record {
-            source_sha256: sha256(source.as_bytes()),
-            ranges: admission.ranges,
-            evidence: admission.evidence,
-            ..Record::clone(record)
-        };
-        self.write(&record, None)?;
-        self.registry.admit(self.parsed(record, source).await?);
+        self.renewed(record, source, admission).await?;
         Ok(())
     }
 }
@@ -329,17 +348,17 @@ fn name_fault(workshop: &Workshop, name: &str) -> Option<Diagnostic> {
 }
 
 /// The rounds are used up: what was tried.
-fn failed(name: &str, history: &[Round]) -> Diagnostic {
+fn failed(name: &str, tried: &[Round]) -> Diagnostic {
     let mut d = Diagnostic::error(
         Code::SynthesisFailed,
         format!("factory {name}"),
         format!(
             "no source for this request passed the gate in {} rounds",
-            history.len()
+            tried.len()
         ),
     );
     // Set whole: it is bounded by itself, and a cut text would be no history.
-    d.found = Some(rounds::history(history));
+    d.found = Some(history(tried));
     d.expected = Some(json!("another name, or another request"));
     d.hint(
         "stop and think again about the part: a simpler shape, narrower ranges, fewer expected ports; another \

@@ -9,8 +9,8 @@ use serde_json::{Map, Value};
 
 use crate::class::Class;
 pub use crate::measured::{
-    Contact, Geometry, JointMotion, Measured, Mobility, Overlap, Reach, Redundant, Stop, Thrust,
-    TipSeat, Unseen, Wall, Way, Ways,
+    Geometry, JointMotion, MateContact, Measured, Mobility, PairOverlap, Reach, Redundant, Stop,
+    Thrust, TipSeat, Unseen, Wall, Way, Ways,
 };
 
 /// Everything that is known of an assembly.

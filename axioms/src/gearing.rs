@@ -10,7 +10,7 @@ use assemcad_model::ports::{Port, PortType};
 use crate::facts::{MateFacts, Side};
 use crate::geometry::{NEAR_DEG, askew_deg, off_axis_mm};
 use crate::indexed::Indexed;
-use crate::verdict::About;
+use crate::ruling::About;
 
 /// Within this angle, in degrees, a gear counts as straight.
 const STRAIGHT_DEG: f64 = 1e-9;

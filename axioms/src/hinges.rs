@@ -7,7 +7,7 @@ use assemcad_model::mates::MateType;
 use crate::facts::{MateFacts, PartFacts, Side};
 use crate::indexed::Indexed;
 use crate::joints::{ends, is_cylinder, is_hole, reach_along};
-use crate::verdict::About;
+use crate::ruling::About;
 
 /// A knuckle: a bore of a leaf that the pin passes.
 #[derive(Debug, Clone, Copy)]

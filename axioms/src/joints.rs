@@ -8,7 +8,7 @@ use assemcad_model::ports::PortType;
 use crate::class::Class;
 use crate::facts::{MateFacts, PartFacts, Side};
 use crate::indexed::Indexed;
-use crate::verdict::About;
+use crate::ruling::About;
 
 /// A screw in a threaded hole.
 #[derive(Debug, Clone, Copy)]

@@ -2,7 +2,7 @@
 //!
 //! The data are one YAML file per category under `axioms/data/`, embedded in the crate, read with the
 //! workspace's own YAML reader and validated as a whole. A check is one file under `src/checks/`: it reads
-//! [`facts::Facts`] and yields [`verdict::Verdict`]s. Nothing here knows a kernel, files or a protocol.
+//! [`facts::Facts`] and yields [`ruling::Ruling`]s. Nothing here knows a kernel, files or a protocol.
 
 pub mod apart;
 pub mod asked;
@@ -24,9 +24,9 @@ pub mod load;
 mod measured;
 pub mod query;
 pub mod reasons;
+pub mod ruling;
 mod tables;
 mod validate;
-pub mod verdict;
 
 pub use axiom::Axiom;
 pub use class::Class;
@@ -35,4 +35,4 @@ pub use facts::Facts;
 pub use indexed::Indexed;
 pub use knowledge::{KnowledgeBase, axioms};
 pub use query::{Applicability, Query};
-pub use verdict::{Status, Verdict};
+pub use ruling::{Ruling, Status};

@@ -20,10 +20,10 @@ pub struct Geometry {
 pub struct Measured {
     /// Pairs of parts whose boxes meet. Pairs that are not listed are apart.
     #[serde(default)]
-    pub overlaps: Option<Vec<Overlap>>,
+    pub overlaps: Option<Vec<PairOverlap>>,
     /// Mates that mean contact.
     #[serde(default)]
-    pub contacts: Option<Vec<Contact>>,
+    pub contacts: Option<Vec<MateContact>>,
     /// The walls around bores.
     #[serde(default)]
     pub walls: Option<Vec<Wall>>,
@@ -147,7 +147,7 @@ pub struct TipSeat {
 /// What two parts have in common.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Overlap {
+pub struct PairOverlap {
     /// A part.
     pub a: String,
     /// The other part.
@@ -163,7 +163,7 @@ pub struct Overlap {
 /// Whether the parts of a mate touch.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Contact {
+pub struct MateContact {
     /// The mate.
     pub mate: String,
     /// Whether they do; none where it could not be told.

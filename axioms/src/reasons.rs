@@ -79,7 +79,7 @@ mod tests {
     use crate::checks;
     use crate::facts::{Facts, Mobility, Redundant};
     use crate::indexed::Indexed;
-    use crate::verdict::{Status, Verdict};
+    use crate::ruling::{Ruling, Status};
     use serde_json::{Value, json};
 
     fn port(name: &str, port_type: &str, params: Value) -> Value {
@@ -123,7 +123,7 @@ mod tests {
         .unwrap()
     }
 
-    fn judged(redundant: &[&str], unexplained: Option<&[&str]>) -> Verdict {
+    fn judged(redundant: &[&str], unexplained: Option<&[&str]>) -> Ruling {
         let mates = |names: &[&str]| -> Vec<Redundant> {
             let one = |m: &&str| Redundant {
                 mate: (*m).to_owned(),

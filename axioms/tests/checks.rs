@@ -150,7 +150,7 @@ fn confirm(name: &str, facts: &Facts, status: Status, values: Option<&Value>) {
         .collect();
     let with = verdicts.iter().filter(|v| v.status == status);
     let close = |a: &Value, b: &Value| (a.as_f64().unwrap() - b.as_f64().unwrap()).abs() <= 2e-3;
-    let all = |v: &&assemcad_axioms::Verdict| {
+    let all = |v: &&assemcad_axioms::Ruling| {
         let Some(wanted) = values.and_then(Value::as_object) else {
             return true;
         };
@@ -300,7 +300,7 @@ fn without_places_nothing_is_said_of_places() {
         };
         let placed = needs.contains(&Need::PlacedPorts) && !needs.contains(&Need::Geometry);
         if placed && !by_ports.contains(&name.as_str()) && name != "G-09" {
-            let of = |v: &&assemcad_axioms::Verdict| v.axiom == name;
+            let of = |v: &&assemcad_axioms::Ruling| v.axiom == name;
             let verdicts = checks::run_all(&unplaced);
             assert!(
                 verdicts

@@ -1,11 +1,10 @@
 //! What a part's solid shows of its ports.
 
-use assemcad_kernel::pool::Pool;
-use assemcad_kernel::protocol::{Failure, FailureKind, Job, Reply};
+use assemcad_geometry::Asker;
+use assemcad_kernel::protocol::{Failure, Named};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::ports::Port;
 use assemcad_model::probe::{Answer, Probe};
-use assemcad_model::recipe::Recipe;
 use assemcad_model::report::rounded;
 use serde_json::{Map, Value, json};
 
@@ -29,8 +28,8 @@ pub enum Unasked {
 /// # Errors
 /// When a port is not well formed, or the kernel does not answer.
 pub async fn ask<'a>(
-    pool: &Pool,
-    recipe: &Recipe,
+    door: Asker<'_>,
+    solid: &Named,
     ports: impl IntoIterator<Item = &'a Port>,
 ) -> Result<Vec<Asked<'a>>, Unasked> {
     let mut asked = Vec::new();
@@ -45,21 +44,8 @@ pub async fn ask<'a>(
     if asked.is_empty() {
         return Ok(Vec::new());
     }
-    let job = Job::Probe {
-        recipe: recipe.clone(),
-        probes: probes.clone(),
-    };
-    let answers = match pool.run(&job).await {
-        Ok((Reply::Probed(answers), _)) if answers.len() == probes.len() => answers,
-        Ok(_) => {
-            return Err(Unasked::Kernel(Box::new(Failure {
-                kind: FailureKind::Worker,
-                doing: None,
-                message: "the worker answered another question".to_owned(),
-            })));
-        }
-        Err(failure) => return Err(Unasked::Kernel(Box::new(failure))),
-    };
+    let answers = door.probe(solid, &probes).await;
+    let answers = answers.map_err(|failure| Unasked::Kernel(Box::new(failure)))?;
     let mut pairs = probes.into_iter().zip(answers);
     Ok(asked
         .into_iter()

@@ -1,10 +1,10 @@
-#include <BRepClass3d_SolidClassifier.hxx>
 #include <BRep_Tool.hxx>
 #include <TopExp.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 
 #include "common.h"
 #include "integrals.h"
+#include "sides.h"
 
 namespace assemcad {
 
@@ -42,24 +42,11 @@ CheckRaw check(const Solid& solid) {
 
 // 0 outside, 1 inside, 2 on the boundary.
 rust::Vec<std::uint8_t> classify(const Solid& solid, Reals points, double tolerance) {
-  BRepClass3d_SolidClassifier classifier(shape_of(solid));
+  const auto sides = Sides::find(shape_of(solid));
   rust::Vec<std::uint8_t> out;
   out.reserve(points.size() / 3);
   for (std::size_t i = 0; i + 2 < points.size(); i += 3) {
-    classifier.Perform(gp_Pnt(points[i], points[i + 1], points[i + 2]), tolerance);
-    switch (classifier.State()) {
-      case TopAbs_OUT:
-        out.push_back(0);
-        break;
-      case TopAbs_IN:
-        out.push_back(1);
-        break;
-      case TopAbs_ON:
-        out.push_back(2);
-        break;
-      default:
-        throw Invalid("a point is neither inside nor outside");
-    }
+    out.push_back(sides->of(gp_Pnt(points[i], points[i + 1], points[i + 2]), tolerance));
   }
   return out;
 }

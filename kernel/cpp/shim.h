@@ -83,6 +83,7 @@ struct DistanceRaw;
 struct CommonRaw;
 struct AreaRaw;
 struct MeshRaw;
+struct SkinRaw;
 struct HeaderRaw;
 struct LeafRaw;
 
@@ -120,6 +121,9 @@ AreaRaw face_common(const Solid& a, const Pose& at_a, std::uint32_t face_a, cons
 
 // mesh.cpp
 MeshRaw mesh(const Solid& solid, double deflection, double angle);
+
+// skin.cpp
+SkinRaw skin(const Solid& solid, double deflection, double angle);
 
 // io.cpp
 rust::Vec<std::uint8_t> to_bytes(const Solid& solid);

@@ -1,9 +1,9 @@
 //! What pictures and measurements ask of the kernel, and its answers.
 
-use assemcad_model::recipe::Recipe;
 use assemcad_model::selector::Selector;
 use serde::{Deserialize, Serialize};
 
+use crate::named::Named;
 use crate::protocol::Placed;
 
 /// A body that is drawn.
@@ -13,13 +13,13 @@ pub enum Body {
     /// A part, in its own frame.
     Whole {
         /// How to make it.
-        recipe: Recipe,
+        recipe: Named,
     },
     /// What a plane leaves of a part, in the part's frame: the side into which the normal points is
     /// taken away.
     Behind {
         /// How to make the part.
-        recipe: Recipe,
+        recipe: Named,
         /// A point of the plane, in the part's frame, in mm.
         point: [f64; 3],
         /// Its normal there.

@@ -67,7 +67,13 @@ impl Kind {
 pub(crate) fn judge(kind: Kind, a: &Shape, b: &Shape, result: &Shape) -> Result<()> {
     let (a, b, result) = (Pile::of(a)?, Pile::of(b)?, Pile::of(result)?);
     plausible(kind, &a, &b, &result)?;
-    vouched(kind, &a, &b, &result)
+    match a.bounds.common(&b.bounds) {
+        // Where the boxes share something thinner, every point is too near to a surface.
+        Some(region) if region.size().iter().all(|s| *s > 2.0 * NEAR) => {
+            vouched(kind, &region, &a, &b, &result)
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Solids that may overlap.
@@ -148,12 +154,23 @@ fn plausible(kind: Kind, a: &Pile, b: &Pile, result: &Pile) -> Result<()> {
             b.volume
         )))
     };
+    // What the operands share lies in what their boxes share. Of solids that may overlap each other the sum
+    // of volumes is no more than a bound.
+    let shared = a.bounds.common(&b.bounds).map_or(0.0, |r| r.volume());
+    let single = a.solids.len() == 1;
+    let most = if single {
+        b.volume.min(shared)
+    } else {
+        b.volume
+    };
+    let sum = a.volume + b.volume;
     match kind {
         Kind::Fuse if volume < a.largest.max(b.largest) * (1.0 - EQUAL) => {
             wrong("which is less than the larger one")
         }
-        Kind::Fuse if volume > (a.volume + b.volume) * (1.0 + SUM) => {
-            wrong("which is more than their sum")
+        Kind::Fuse if volume > sum * (1.0 + SUM) => wrong("which is more than their sum"),
+        Kind::Fuse if single && b.solids.len() == 1 && volume < sum * (1.0 - SUM) - shared => {
+            wrong("which is less than their sum without all that they may share")
         }
         Kind::Cut if volume > a.volume * (1.0 + EQUAL) => wrong("which is more than before"),
         Kind::Cut if volume >= a.volume * (1.0 - EQUAL) && a.solids.len() == 1 => {
@@ -167,7 +184,7 @@ fn plausible(kind: Kind, a: &Pile, b: &Pile, result: &Pile) -> Result<()> {
                 a.bounds, b.bounds
             )))
         }
-        Kind::Cut if volume < (a.volume - b.volume) - SUM * a.volume.max(b.volume) => {
+        Kind::Cut if volume < a.volume - most - SUM * a.volume.max(b.volume) => {
             wrong("which is less than the tool can leave")
         }
         Kind::Common if volume > a.volume.min(b.volume) * (1.0 + EQUAL) => {
@@ -177,21 +194,39 @@ fn plausible(kind: Kind, a: &Pile, b: &Pile, result: &Pile) -> Result<()> {
     }
 }
 
+/// Whether points should be in the result; none where one is too near to a surface. The second operand is
+/// asked only where the first leaves it open.
+fn expected(kind: Kind, a: &Pile, b: &Pile, points: &[[f64; 3]]) -> Result<Vec<Option<bool>>> {
+    let settles = kind == Kind::Fuse;
+    let mut told = a.holds(points)?;
+    let open: Vec<[f64; 3]> = points
+        .iter()
+        .zip(&told)
+        .filter(|(_, held)| **held == Some(!settles))
+        .map(|(point, _)| *point)
+        .collect();
+    let mut others = b.holds(&open)?.into_iter();
+    for held in &mut told {
+        *held = match *held {
+            Some(known) if known == settles => Some(kind.holds(known, false)),
+            Some(known) => others
+                .next()
+                .flatten()
+                .map(|other| kind.holds(known, other)),
+            None => None,
+        };
+    }
+    Ok(told)
+}
+
 /// That points are in the result exactly when they should be.
-fn vouched(kind: Kind, a: &Pile, b: &Pile, result: &Pile) -> Result<()> {
-    // Only where the boxes overlap has anything been computed.
-    let Some(region) = a.bounds.common(&b.bounds) else {
-        return Ok(());
-    };
+fn vouched(kind: Kind, region: &Bounds, a: &Pile, b: &Pile, result: &Pile) -> Result<()> {
     let agree = |points: &[[f64; 3]]| -> Result<Vec<Option<bool>>> {
-        let told = a.holds(points)?.into_iter().zip(b.holds(points)?);
-        let each = told.zip(result.holds(points)?).map(|told| match told {
-            ((Some(a), Some(b)), Some(found)) => Some(kind.holds(a, b) == found),
-            _ => None,
-        });
-        Ok(each.collect())
+        let told = expected(kind, a, b, points)?;
+        let each = told.into_iter().zip(result.holds(points)?);
+        Ok(each.map(|(told, found)| Some(told? == found?)).collect())
     };
-    let points = pair::samples(&region, POINTS);
+    let points = pair::samples(region, POINTS);
     for (point, agrees) in points.iter().zip(agree(&points)?) {
         if agrees != Some(false) {
             continue;
@@ -217,4 +252,92 @@ fn vouched(kind: Kind, a: &Pile, b: &Pile, result: &Pile) -> Result<()> {
         }
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Kind, judge};
+    use crate::error;
+    use crate::shape::Shape;
+    use assemcad_model::frame::Frame;
+
+    fn cuboid(corner: [f64; 3], size: [f64; 3]) -> Shape {
+        let frame = Frame {
+            origin: corner,
+            ..Frame::WORLD
+        };
+        Shape::cuboid(&frame, size).unwrap()
+    }
+
+    fn says(outcome: error::Result<()>, words: &str) {
+        let told = outcome.unwrap_err().message;
+        assert!(told.contains(words), "{told}");
+    }
+
+    #[test]
+    fn right_results_pass() {
+        let a = cuboid([0.0; 3], [10.0; 3]);
+        let b = cuboid([5.0, 5.0, 5.0], [10.0; 3]);
+        judge(Kind::Fuse, &a, &b, &a.fused(&[&b], false, None).unwrap()).unwrap();
+        judge(Kind::Cut, &a, &b, &a.without(&[&b], None).unwrap()).unwrap();
+        judge(Kind::Common, &a, &b, &a.shared(&[&b], None).unwrap()).unwrap();
+        // Beside each other, with a face in common.
+        let c = cuboid([10.0, 0.0, 0.0], [3.0, 10.0, 10.0]);
+        judge(Kind::Fuse, &a, &c, &a.fused(&[&c], false, None).unwrap()).unwrap();
+        // A thin overlap, of more than a part in a million.
+        let d = cuboid([10.0 - 1e-4, 0.0, 0.0], [3.0, 10.0, 10.0]);
+        judge(Kind::Fuse, &a, &d, &a.fused(&[&d], false, None).unwrap()).unwrap();
+    }
+
+    #[test]
+    fn a_union_that_forgets_an_operand_is_found() {
+        let a = cuboid([0.0; 3], [10.0; 3]);
+        // Where the boxes overlap, points see nothing of it: there the first operand is whole.
+        let over = cuboid([5.0, 5.0, 5.0], [8.0; 3]);
+        says(judge(Kind::Fuse, &a, &over, &a), "all that they may share");
+        let inside = cuboid([1.0; 3], [8.0; 3]);
+        let cut = a.without(&[&inside], None).unwrap();
+        says(
+            judge(
+                Kind::Fuse,
+                &cut,
+                &inside,
+                &a.without(&[&cuboid([1.0; 3], [1.0, 8.0, 8.0])], None)
+                    .unwrap(),
+            ),
+            "came out wrong about",
+        );
+        let beside = cuboid([10.0, 0.0, 0.0], [3.0, 10.0, 10.0]);
+        says(
+            judge(Kind::Fuse, &a, &beside, &a),
+            "all that they may share",
+        );
+        let thin = cuboid([10.0 - 1e-4, 0.0, 0.0], [3.0, 10.0, 10.0]);
+        says(judge(Kind::Fuse, &a, &thin, &a), "all that they may share");
+    }
+
+    #[test]
+    fn results_in_the_wrong_place_are_found_where_volumes_are_right() {
+        let a = cuboid([0.0; 3], [10.0; 3]);
+        let b = cuboid([5.0, 5.0, 5.0], [10.0; 3]);
+        // 125 mm3 taken away at the other corner, or kept there.
+        let other = cuboid([0.0; 3], [5.0; 3]);
+        let cut = a.without(&[&other], None).unwrap();
+        says(judge(Kind::Cut, &a, &b, &cut), "came out wrong about");
+        says(judge(Kind::Common, &a, &b, &other), "came out wrong about");
+    }
+
+    #[test]
+    fn volumes_that_cannot_be_are_found() {
+        let a = cuboid([0.0; 3], [10.0; 3]);
+        let b = cuboid([5.0, 5.0, 5.0], [10.0; 3]);
+        says(judge(Kind::Cut, &a, &b, &a), "removes nothing");
+        let both = cuboid([0.0; 3], [20.0, 10.0, 11.0]);
+        says(judge(Kind::Fuse, &a, &b, &both), "more than their sum");
+        says(judge(Kind::Common, &a, &b, &both), "more than the smaller");
+        // All gone, and the tool's box reaches only an eighth of it.
+        let corner = cuboid([9.0; 3], [20.0; 3]);
+        let left = cuboid([0.0; 3], [9.0, 9.0, 9.0]);
+        says(judge(Kind::Cut, &a, &corner, &left), "the tool can leave");
+    }
 }

@@ -108,6 +108,45 @@ pub mod bridge {
     }
 
     #[derive(Debug)]
+    struct SkinFaceRaw {
+        kind: u8,
+        shell: u32,
+        outward: bool,
+        origin: [f64; 3],
+        axis: [f64; 3],
+        radius: f64,
+        other: f64,
+        low: f64,
+        high: f64,
+        off: f64,
+        triangles_end: u32,
+        edges_end: u32,
+    }
+
+    #[derive(Debug)]
+    struct SkinEdgeRaw {
+        kind: u8,
+        turn: u8,
+        start: [f64; 3],
+        end: [f64; 3],
+        middle: [f64; 3],
+        center: [f64; 3],
+        axis: [f64; 3],
+        radius: f64,
+        sweep: f64,
+        off: f64,
+    }
+
+    #[derive(Debug)]
+    struct SkinRaw {
+        faces: Vec<SkinFaceRaw>,
+        edges: Vec<SkinEdgeRaw>,
+        face_edges: Vec<u32>,
+        positions: Vec<f64>,
+        triangles: Vec<u32>,
+    }
+
+    #[derive(Debug)]
     struct HeaderRaw {
         name: String,
         time_stamp: String,
@@ -159,6 +198,7 @@ pub mod bridge {
             face_b: u32,
         ) -> Result<AreaRaw>;
         fn mesh(solid: &Solid, deflection: f64, angle: f64) -> Result<MeshRaw>;
+        fn skin(solid: &Solid, deflection: f64, angle: f64) -> Result<SkinRaw>;
 
         fn to_bytes(solid: &Solid) -> Result<Vec<u8>>;
         fn from_bytes(bytes: &[u8]) -> Result<UniquePtr<Solid>>;

@@ -3,13 +3,13 @@
 use assemcad_model::frame::Rows;
 use assemcad_model::ports::Port;
 use assemcad_model::probe::{Answer, Probe};
-use assemcad_model::recipe::Recipe;
 use assemcad_workers::Work;
 pub use assemcad_workers::{Doing, Failure, FailureKind};
 use serde::{Deserialize, Serialize};
 
 use crate::asked::{Body, Chosen, Measured};
 use crate::contact::{Touch, Where};
+pub use crate::named::Named;
 use crate::pair::Distance;
 
 /// The kernel's kind of work.
@@ -29,7 +29,7 @@ impl Work for KernelWork {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct Placed {
     /// How to make it.
-    pub recipe: Recipe,
+    pub recipe: Named,
     /// Where it is.
     pub placement: Rows,
 }
@@ -41,7 +41,7 @@ pub enum Job {
     /// Make a solid and measure it.
     Build {
         /// How to make it.
-        recipe: Recipe,
+        recipe: Named,
     },
     /// The volume that two placed solids have in common, and an independent estimate of it.
     CommonVolume {
@@ -55,7 +55,7 @@ pub enum Job {
     /// What a solid has where its ports are.
     Probe {
         /// How to make it.
-        recipe: Recipe,
+        recipe: Named,
         /// What is asked.
         probes: Vec<Probe>,
     },
@@ -71,7 +71,7 @@ pub enum Job {
     /// Whether a solid is one of revolution about each of some axes.
     Revolution {
         /// How to make it.
-        recipe: Recipe,
+        recipe: Named,
         /// The axes in the part's frame: a point in mm and a unit direction.
         axes: Vec<([f64; 3], [f64; 3])>,
     },
@@ -90,6 +90,15 @@ pub enum Job {
     Tessellate {
         /// The body.
         body: Body,
+        /// How far a triangle may be from the surface, in mm.
+        deflection: f64,
+        /// How far a triangle may be turned from the surface, in degrees.
+        angle_deg: f64,
+    },
+    /// The skin of a solid.
+    Skin {
+        /// How to make it.
+        recipe: Named,
         /// How far a triangle may be from the surface, in mm.
         deflection: f64,
         /// How far a triangle may be turned from the surface, in degrees.
@@ -121,9 +130,44 @@ impl Job {
             Self::Revolution { .. } => "surfaces of revolution",
             Self::Step { .. } => "STEP export",
             Self::Tessellate { .. } => "triangles",
+            Self::Skin { .. } => "skin",
             Self::Measure { .. } => "measurement",
             Self::Distance { .. } => "smallest distance",
         }
+    }
+}
+
+impl Job {
+    /// The same job with the names of its solids alone.
+    #[must_use]
+    pub fn without_recipes(&self) -> Self {
+        let mut job = self.clone();
+        let bare = |solid: &mut Named| *solid = solid.alone();
+        match &mut job {
+            Self::Build { recipe }
+            | Self::Probe { recipe, .. }
+            | Self::Revolution { recipe, .. }
+            | Self::Skin { recipe, .. } => bare(recipe),
+            Self::CommonVolume { a, b, .. } | Self::Contact { a, b, .. } => {
+                bare(&mut a.recipe);
+                bare(&mut b.recipe);
+            }
+            Self::Tessellate { body, .. } => match body {
+                Body::Whole { recipe } | Body::Behind { recipe, .. } => bare(recipe),
+                Body::Shared { a, b } => {
+                    bare(&mut a.recipe);
+                    bare(&mut b.recipe);
+                }
+            },
+            Self::Measure { of } => bare(&mut of.part.recipe),
+            Self::Distance { a, b } => {
+                bare(&mut a.part.recipe);
+                bare(&mut b.part.recipe);
+            }
+            // Sent once, to a fresh process.
+            Self::Step { .. } => {}
+        }
+        job
     }
 }
 
@@ -133,7 +177,7 @@ pub struct Product {
     /// Product name.
     pub name: String,
     /// How to make it.
-    pub recipe: Recipe,
+    pub recipe: Named,
     /// Colour: red, green, blue from 0 to 1.
     pub color: [f64; 3],
 }
@@ -170,6 +214,10 @@ pub enum Reply {
         /// False where the body is empty.
         some: bool,
     },
+    /// Of [`Job::Skin`]; the skin is the message's block.
+    Skin,
+    /// Of any: the worker does not know one of the solids, and its recipe did not come with it.
+    Unknown,
     /// Of [`Job::Measure`].
     Measured(Measured),
     /// Of [`Job::Distance`].

@@ -53,6 +53,19 @@ impl Bounds {
         }
     }
 
+    /// The middle.
+    #[must_use]
+    pub fn middle(&self) -> [f64; 3] {
+        [0, 1, 2].map(|i: usize| 0.5 * (self.at(i).0 + self.at(i).1))
+    }
+
+    /// Whether a point lies in it.
+    #[must_use]
+    pub fn holds(&self, point: &[f64; 3]) -> bool {
+        let mut each = point.iter().zip(self.min.iter().zip(&self.max));
+        each.all(|(p, (low, high))| p >= low && p <= high)
+    }
+
     fn at(&self, axis: usize) -> (f64, f64) {
         (
             self.min.get(axis).copied().unwrap_or_default(),

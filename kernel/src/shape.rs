@@ -1,7 +1,7 @@
 //! The solid, its bytes, and how frames and placements go to C++.
 
 use std::cell::OnceCell;
-use std::sync::Once;
+use std::sync::OnceLock;
 
 use assemcad_model::frame::{Frame, Placement};
 use cxx::UniquePtr;
@@ -99,12 +99,10 @@ const BREP: &[u8] = b"Open CASCADE Topology V4";
 
 /// Makes the kernel silent: OCCT prints to stdout, which may carry a protocol.
 pub(crate) fn start() -> Result<()> {
-    static START: Once = Once::new();
-    let mut outcome = Ok(());
-    START.call_once(|| {
-        outcome = bridge::quiet().context(|| "the kernel could not be started".into());
-    });
-    outcome
+    // What came of it holds for every later call too: a kernel that could not be started is not there.
+    static START: OnceLock<Result<()>> = OnceLock::new();
+    let begin = || bridge::quiet().context(|| "the kernel could not be started".into());
+    START.get_or_init(begin).clone()
 }
 
 /// How far a placement may be from a rotation.

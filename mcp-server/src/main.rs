@@ -4,14 +4,15 @@
 
 mod clients_model;
 mod lines;
+mod progress;
 mod running;
 mod serve;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Duration;
 
-use assemcad_assembly::draft::DEFAULT_ROUNDS;
-use assemcad_assembly::{Workshop, synthesis};
+use assemcad_assembly::{DEFAULT_LIMIT_S, DEFAULT_ROUNDS, Workshop};
 use assemcad_factories::Registry;
 use assemcad_kernel::pool::{Config, Limits, Pool};
 use assemcad_kernel::worker;
@@ -61,8 +62,11 @@ struct Serve {
     #[arg(long, default_value_t = DEFAULT_ROUNDS)]
     draft_rounds: usize,
     /// How many wrong sources a request for a factory has before its synthesis counts as failed.
-    #[arg(long, default_value_t = synthesis::DEFAULT_ROUNDS)]
+    #[arg(long, default_value_t = DEFAULT_ROUNDS)]
     synthesis_rounds: usize,
+    /// After how many seconds the trial of a factory's source begins no further set of parameters.
+    #[arg(long, default_value_t = DEFAULT_LIMIT_S)]
+    synthesis_s: u64,
 }
 
 #[derive(Debug, Args)]
@@ -159,6 +163,7 @@ async fn workshop(options: Serve) -> Result<Workshop, String> {
         Workshop::open(&root, registry, pool, evaluator).map_err(|d| d.to_string())?;
     workshop.draft_rounds = options.draft_rounds;
     workshop.synthesis_rounds = options.synthesis_rounds;
+    workshop.synthesis_limit = Duration::from_secs(options.synthesis_s);
     faults.extend(workshop.load_admitted().await);
     for fault in faults {
         tracing::warn!("{fault}");

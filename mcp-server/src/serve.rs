@@ -2,21 +2,19 @@
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
-use std::time::Duration;
 
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
-use assemcad_tools::{Effect, Offer, Output, Writer, prompts};
+use assemcad_tools::{Caller, Effect, Offer, Output, Writer, prompts};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use rmcp::model::{
     CallToolRequestParams, CallToolResponse, CallToolResult, ContentBlock, CustomRequest,
     CustomResult, ErrorCode, GetPromptRequestParams, GetPromptResponse, GetPromptResult,
-    Implementation, ListPromptsResult, ListToolsResult, PaginatedRequestParams,
-    ProgressNotificationParam, Prompt, PromptArgument, PromptMessage, Role, ServerCapabilities,
-    ServerConfig, Tool, ToolAnnotations,
+    Implementation, ListPromptsResult, ListToolsResult, PaginatedRequestParams, Prompt,
+    PromptArgument, PromptMessage, Role, ServerCapabilities, ServerConfig, Tool, ToolAnnotations,
 };
 use rmcp::service::RequestContext;
 use rmcp::transport::stdio as streams;
@@ -25,10 +23,8 @@ use serde_json::json;
 
 use crate::clients_model::ClientsModel;
 use crate::lines;
+use crate::progress::signs;
 use crate::running::Running;
-
-/// How long a call may be silent where its client asked for signs of progress.
-const BETWEEN_SIGNS: Duration = Duration::from_secs(5);
 
 /// What a model reads before it sees any tool; clients cut it at 2 KiB.
 const INSTRUCTIONS: &str = "assemcad builds mechanical assemblies that are checked: typed parts with \
@@ -230,17 +226,26 @@ impl ServerHandler for Server {
                 let (workshop, name) = (Arc::clone(&self.workshop), offer.name);
                 let offers = Arc::clone(&self.offers);
                 let writer = ClientsModel::of(&context);
+                let (words, telling) = signs(&context);
                 let work = async move {
-                    let writer = writer.as_ref().map(|w| w as &dyn Writer);
+                    // A client that asked for no progress has nobody who listens.
+                    let progress = |text: &str| drop(words.send(text.to_owned()));
+                    let caller = Caller {
+                        writer: writer.as_ref().map(|w| w as &dyn Writer),
+                        progress: Some(&progress),
+                    };
                     match offers.get(name) {
-                        Some(offer) => offer.call(&workshop, given, writer).await,
+                        Some(offer) => offer.call(&workshop, given, caller).await,
                         None => Err(Faults::new()),
                     }
                 };
                 let mut task = tokio::spawn(work);
                 tokio::select! {
-                    () = signs_of_life(&context) => Err(Faults::new()),
-                    done = &mut task => done.unwrap_or_else(|e| Err(vec![broken(name, &e)])),
+                    done = &mut task => {
+                        // The work is gone, and so is who sends words: what it said is told first.
+                        let _ = telling.await;
+                        done.unwrap_or_else(|e| Err(vec![broken(name, &e)]))
+                    }
                     () = context.ct.cancelled() => {
                         // Dropping the work drops its worker, which ends the kernel's computation.
                         task.abort();
@@ -254,22 +259,6 @@ impl ServerHandler for Server {
             Err(faults) => CallToolResult::structured_error(json!({"diagnostics": faults})),
         }
         .into())
-    }
-}
-
-/// Tells a client that asked for it, every few seconds, that its call is being worked on: clients drop
-/// calls that are silent for a minute. Never ends.
-async fn signs_of_life(context: &RequestContext<RoleServer>) {
-    let Some(token) = context.meta.get_progress_token() else {
-        return core::future::pending().await;
-    };
-    let mut signs = 0.0;
-    loop {
-        tokio::time::sleep(BETWEEN_SIGNS).await;
-        signs += 1.0;
-        let sign = ProgressNotificationParam::new(token.clone(), signs).with_message("at work");
-        // A client that does not listen any more is told by its connection.
-        let _ = context.peer.notify_progress(sign).await;
     }
 }
 

@@ -4,6 +4,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
+/// Everything that is wrong with a request: never empty.
+pub type Faults = Vec<Diagnostic>;
+
 /// Something that is wrong, where, and what would mend it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Diagnostic {

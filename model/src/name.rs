@@ -39,6 +39,16 @@ pub fn nearest<'a>(
     scored.into_iter().take(most).map(|(_, c)| c).collect()
 }
 
+/// The first names in quotation marks, and how many more there are.
+#[must_use]
+pub fn listed(names: &[String], most: usize) -> String {
+    let quoted: Vec<String> = names.iter().take(most).map(|n| format!("'{n}'")).collect();
+    match names.len().saturating_sub(most) {
+        0 => quoted.join(", "),
+        more => format!("{} and {more} more", quoted.join(", ")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{is_valid, nearest};

@@ -12,7 +12,7 @@ use crate::mates::{MateType, Residual};
 mod bill;
 pub mod schema;
 
-pub use bill::{BillLine, Mass, NearMiss, StepFile};
+pub use bill::{BillLine, Mass, NearMiss, STEEL_KG_M3, StepFile};
 
 /// The version of the report's format.
 pub const FORMAT: u32 = 1;

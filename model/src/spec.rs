@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::canonical;
+use crate::diagnostic::{Code, Diagnostic};
 use crate::mates::MateType;
 
 pub mod schema;
@@ -163,5 +164,14 @@ impl Assembly {
             format: FORMAT,
             assembly: self.clone(),
         })
+    }
+
+    /// [`Assembly::hash`] for those who cannot go on without it.
+    ///
+    /// # Errors
+    /// As there: a fault of the server.
+    pub fn sha256(&self) -> Result<String, Diagnostic> {
+        self.hash()
+            .map_err(|e| Diagnostic::error(Code::Internal, &self.id, e.to_string()))
     }
 }

@@ -43,6 +43,23 @@ pub trait Writer: Send + Sync {
     fn write(&self, prompt: String) -> BoxFuture<'_, Result<String, String>>;
 }
 
+/// Who called, and what it offers meanwhile.
+#[derive(Clone, Copy, Default)]
+pub struct Caller<'a> {
+    /// A model that writes.
+    pub writer: Option<&'a dyn Writer>,
+    /// Who is told how far the call has come, in a few words.
+    pub progress: Option<&'a (dyn Fn(&str) + Send + Sync)>,
+}
+
+impl Caller<'_> {
+    fn tell(&self, words: &str) {
+        if let Some(progress) = self.progress {
+            progress(words);
+        }
+    }
+}
+
 /// One tool.
 trait Tool: 'static {
     /// Its arguments, a flat object.
@@ -64,11 +81,11 @@ trait Tool: 'static {
         arguments: Self::Arguments,
     ) -> impl Future<Output = Result<Self::Answer, Faults>> + Send;
 
-    /// Does it with a writer at hand.
+    /// Does it with what the caller offers.
     fn run_with(
         workshop: &Workshop,
         arguments: Self::Arguments,
-        _writer: Option<&dyn Writer>,
+        _caller: &Caller<'_>,
     ) -> impl Future<Output = Result<Self::Answer, Faults>> + Send {
         Self::run(workshop, arguments)
     }
@@ -85,11 +102,7 @@ pub enum Effect {
     Removes,
 }
 
-type Handler = for<'a> fn(
-    &'a Workshop,
-    Value,
-    Option<&'a dyn Writer>,
-) -> BoxFuture<'a, Result<Output, Faults>>;
+type Handler = for<'a> fn(&'a Workshop, Value, Caller<'a>) -> BoxFuture<'a, Result<Output, Faults>>;
 
 /// A tool as a server offers it.
 #[derive(Debug)]
@@ -121,18 +134,18 @@ impl Offer {
             validator: jsonschema::validator_for(&Value::Object(input_schema.clone())).ok(),
             input_schema,
             output_schema: T::Answer::schema(),
-            handler: |workshop, arguments, writer| {
+            handler: |workshop, arguments, caller| {
                 Box::pin(async move {
                     let arguments = serde_json::from_value(arguments)
                         .map_err(|_| vec![arguments::unreadable(T::NAME)])?;
-                    let answer = T::run_with(workshop, arguments, writer).await?;
+                    let answer = T::run_with(workshop, arguments, &caller).await?;
                     answer.output(T::NAME)
                 })
             },
         }
     }
 
-    /// Checks the arguments and runs the tool; `writer` is there for those that have something written.
+    /// Checks the arguments and runs the tool.
     ///
     /// # Errors
     /// Everything that is wrong with the arguments, or else with what they ask for.
@@ -140,7 +153,7 @@ impl Offer {
         &self,
         workshop: &Workshop,
         mut given: Map<String, Value>,
-        writer: Option<&dyn Writer>,
+        caller: Caller<'_>,
     ) -> Result<Output, Faults> {
         // Models write null for what they leave out.
         given.retain(|_, value| !value.is_null());
@@ -149,7 +162,15 @@ impl Offer {
             return Err(vec![arguments::unreadable(self.name)]);
         };
         arguments::check(validator, &self.input_schema, &given)?;
-        (self.handler)(workshop, given, writer).await
+        let done = (self.handler)(workshop, given, caller).await;
+        let counts = workshop.door.counts();
+        tracing::info!(
+            "geometry: asked={} computed={} kernel_calls={}",
+            counts.asked,
+            counts.computed,
+            counts.kernel_calls
+        );
+        done
     }
 }
 

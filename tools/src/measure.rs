@@ -1,7 +1,7 @@
 //! `measure`.
 
-use assemcad_assembly::measure::{Measurement, Question, What};
 use assemcad_assembly::{Faults, Workshop};
+use assemcad_views::measure::{Measurement, Question, What};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

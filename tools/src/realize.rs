@@ -3,9 +3,9 @@
 use assemcad_assembly::realize::Stage;
 use assemcad_assembly::report_files::report_file;
 use assemcad_assembly::state::State;
-use assemcad_assembly::verify::Terms;
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::report::Verdict;
+use assemcad_verify::Terms;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

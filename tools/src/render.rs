@@ -1,9 +1,9 @@
 //! `render`.
 
-use assemcad_assembly::picture::{Camera, Section, Wanted};
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_render::{Eye, View};
+use assemcad_views::picture::{Camera, Section, Wanted};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::json;

@@ -1,8 +1,8 @@
 //! `sweep`.
 
-use assemcad_assembly::sweep::{Request, Sweep};
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::freedom::DriveKind;
+use assemcad_motion::{Request, Sweep};
 use schemars::JsonSchema;
 use serde::Deserialize;
 

@@ -1,18 +1,20 @@
 //! `synthesize_factory`.
 
 use std::collections::BTreeMap;
+use std::time::Duration;
 
 use assemcad_assembly::synthesis::{Asked, Refusal, Synthesis};
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_factories::Admitted;
 use assemcad_factories::admission::{
-    AskedParam, Evidence, ExpectedPort, Finding, LayerVerdict, Request, Tally, evidence, nearest,
+    AskedParam, Evidence, ExpectedPort, Extent, Finding, LayerVerdict, Progress, Report, Request,
+    Stage, Tally, evidence, nearest,
 };
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Effect, Tool, Writer, prompts};
+use crate::{Caller, Effect, Tool, prompts};
 
 pub(crate) struct SynthesizeFactory;
 
@@ -43,6 +45,10 @@ pub(crate) struct Arguments {
     /// What is to happen where the source works in a part of its ranges only.
     #[serde(default)]
     ranges: Ranges,
+    /// At which sets of parameters the source is tried, the defaults always first: 'defaults' alone, 'ends' of
+    /// each range too, or 'all' (corners of all ranges together and samples between). The record says which.
+    #[serde(default)]
+    sets: Extent,
     /// Whether the client's own model is to write and mend the source, all in this call. Where the client
     /// offers none, the answer is what is needed to write it.
     #[serde(default)]
@@ -72,6 +78,8 @@ enum Status {
     Admitted,
     /// The source is at fault: mend it.
     Refused,
+    /// The limit on time was reached and nothing was wrong so far: see 'next'.
+    Unfinished,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -97,9 +105,15 @@ pub(crate) struct Answer {
     /// How many findings are not shown; mend those that are first.
     #[serde(skip_serializing_if = "Option::is_none")]
     not_shown: Option<usize>,
-    /// How the tried sets of parameters came out, where the source was refused.
+    /// How the tried sets of parameters came out, where the source was not admitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     tally: Option<Tally>,
+    /// The same by stages; one that fails is the last that is tried.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    stages: Vec<Stage>,
+    /// What to do where the limit on time was reached.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    next: Option<String>,
     /// On what the factory was admitted.
     #[serde(skip_serializing_if = "Option::is_none")]
     evidence: Option<Evidence>,
@@ -152,20 +166,20 @@ impl Tool for SynthesizeFactory {
     const TITLE: &'static str = "Synthesize a factory";
     const DESCRIPTION: &'static str = "Makes a factory for a part that no factory makes. Without 'source' it \
         returns the factory admitted for the same request before, or all you need to write one (language, \
-        examples, what each port must show). With 'source' it runs it, builds the solid at defaults, ends and \
-        corners of the ranges and probes every port; it is admitted on that evidence, or refused with \
-        findings to mend; a few refused rounds under one name and request end it. Look at list_factories \
-        first.";
+        examples, what each port must show). With 'source' it runs it, builds the solid and probes every \
+        port at the defaults, then at ends, corners and samples of the ranges; it is admitted on that \
+        evidence, or refused with findings to mend; a few refused rounds under one name and request end it. \
+        Look at list_factories first.";
     const EFFECT: Effect = Effect::Adds;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
-        Self::run_with(workshop, a, None).await
+        Self::run_with(workshop, a, &Caller::default()).await
     }
 
     async fn run_with(
         workshop: &Workshop,
         a: Arguments,
-        writer: Option<&dyn Writer>,
+        caller: &Caller<'_>,
     ) -> Result<Answer, Faults> {
         let source = match (a.source, a.file) {
             (Some(_), Some(_)) => {
@@ -190,15 +204,16 @@ impl Tool for SynthesizeFactory {
             request,
             source,
             narrowed: a.ranges == Ranges::AsShown,
+            extent: a.sets,
         };
-        let mut answer = round(workshop, &asked).await?;
-        let Some(writer) = writer.filter(|_| a.write) else {
+        let mut answer = round(workshop, &asked, caller).await?;
+        let Some(writer) = caller.writer.filter(|_| a.write) else {
             return Ok(answer);
         };
         // A writer that gives the same source again does not use up the request's own rounds.
         for _ in 0..workshop.synthesis_rounds {
             let prompt = match &answer.status {
-                Status::Known | Status::Admitted => break,
+                Status::Known | Status::Admitted | Status::Unfinished => break,
                 Status::Wanted => to_write(workshop, &asked).await?,
                 Status::Refused => to_mend(workshop, &asked, &answer).await?,
             };
@@ -208,16 +223,18 @@ impl Tool for SynthesizeFactory {
                 vec![d.hint("leave 'write' out and give the source yourself")]
             })?;
             asked.source = Some(code_in(&written).to_owned());
-            answer = round(workshop, &asked).await?;
+            answer = round(workshop, &asked, caller).await?;
         }
         Ok(answer)
     }
 }
 
 /// One round: what is asked, held against what is known and against the gate.
-async fn round(workshop: &Workshop, asked: &Asked) -> Result<Answer, Faults> {
+async fn round(workshop: &Workshop, asked: &Asked, caller: &Caller<'_>) -> Result<Answer, Faults> {
     let mut answer = Answer::of(&asked.request, workshop.synthesis_rounds);
-    match workshop.synthesize(asked).await? {
+    let watch = |progress: Progress| caller.tell(&progress.to_string());
+    match workshop.synthesize(asked, &watch).await? {
+        Synthesis::Unfinished(report) => answer.unfinished(*report, workshop.synthesis_limit),
         Synthesis::Known(known) => answer.admitted(Status::Known, &known),
         Synthesis::Admitted(admitted) => answer.admitted(Status::Admitted, &admitted),
         Synthesis::Refused(refusal) => answer.refused(*refusal),
@@ -293,6 +310,8 @@ impl Answer {
             findings: Vec::new(),
             not_shown: None,
             tally: None,
+            stages: Vec::new(),
+            next: None,
             evidence: None,
             narrowed: BTreeMap::new(),
             to_write: None,
@@ -312,10 +331,28 @@ impl Answer {
         self.round = Some(round);
         self.layers = report.layers;
         self.tally = Some(report.tally);
+        self.stages = report.stages;
         self.findings = report.findings;
         let more = self.findings.len().saturating_sub(MOST_FINDINGS);
         self.not_shown = (more > 0).then_some(more);
         self.findings.truncate(MOST_FINDINGS);
+    }
+}
+
+impl Answer {
+    fn unfinished(&mut self, report: Report, limit: Duration) {
+        self.status = Status::Unfinished;
+        self.next = Some(format!(
+            "{} of {} sets of parameters are left after the limit of {} s: call again, the solids made so far \
+             are kept; or have it admitted on less evidence ('sets'), make the geometry simpler, start the \
+             server with a larger --synthesis-s",
+            report.tally.not_tried,
+            report.tally.sets,
+            limit.as_secs()
+        ));
+        self.layers = report.layers;
+        self.tally = Some(report.tally);
+        self.stages = report.stages;
     }
 }
 

@@ -1,12 +1,12 @@
 //! `verify`.
 
 use assemcad_assembly::report_files::{report_file, report_html, report_markdown};
-use assemcad_assembly::verify::{DEFAULT_TAU_MM3, Terms};
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::report::{
     Axioms, BillLine, Finding, Mass, MateFacts, NearMiss, PairFacts, PartFacts, Report, StepFile,
     Verdict,
 };
+use assemcad_verify::{DEFAULT_TAU_MM3, Terms};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

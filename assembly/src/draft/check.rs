@@ -4,14 +4,16 @@ use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::name::{self, nearest};
 use assemcad_model::param::clip;
 use assemcad_model::spec::{End, Mate, Part};
+use assemcad_placing::resolved::port;
+use assemcad_placing::{ResolvedMate, ResolvedPart};
+use assemcad_store::draft::{Draft, Loose};
+use assemcad_verify::axioms::cite::Cited;
 use futures::future::join_all;
 use serde_json::{Value, json};
 
 use super::layout::{coincident, unreached, unsupported};
-use super::read::{Draft, Loose};
 use crate::Workshop;
-use crate::axioms::cite::Cited;
-use crate::resolve::{self, ResolvedMate, ResolvedPart};
+use crate::resolve;
 
 /// Everything that is wrong with parts and mates. What depends on something that is itself at fault is
 /// not guessed at.
@@ -152,7 +154,7 @@ fn mates(
             }
             for (end, field) in [(&mate.base, "base"), (&mate.incoming, "incoming")] {
                 if there.iter().any(|p| p.id == end.part)
-                    && let Err(d) = resolve::port(&there, end, &at(field))
+                    && let Err(d) = port(&there, end, &at(field))
                 {
                     found.push(placed(draft, d));
                 }

@@ -1,7 +1,6 @@
 //! What can be wrong with a draft as a whole: where its parts land, and what holds them.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
 
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::frame::{Placement, Rows};
@@ -9,10 +8,8 @@ use assemcad_model::mates::MateType;
 use assemcad_model::param::clip;
 use assemcad_model::ports::{Port, PortType};
 use assemcad_model::spec::{End, Mate};
-
-use super::read::{Draft, Loose};
-use crate::place;
-use crate::resolve::{Resolved, ResolvedMate, ResolvedPart};
+use assemcad_placing::{Resolved, ResolvedMate, ResolvedPart, place};
+use assemcad_store::draft::{Draft, Loose};
 
 /// Parts that no chain of mates joins to the root.
 pub(super) fn unreached(draft: &Draft, root: Option<usize>, found: &mut Vec<Diagnostic>) {
@@ -96,9 +93,7 @@ pub(super) fn coincident(
         let twin = before.into_iter().find_map(|i| {
             let (_, n) = by(i)?;
             let (_, first) = parts.get(i)?;
-            let same = || {
-                Arc::ptr_eq(&first.made, &second.made) || first.made.recipe == second.made.recipe
-            };
+            let same = || first.made.solid == second.made.solid;
             match (placed.of(i), placed.of(j)) {
                 (Some(a), Some(b)) if a == b && same() => Some((first, true)),
                 _ => (faces_meet(n, m) && shared(n, i, m, j)).then_some((first, false)),

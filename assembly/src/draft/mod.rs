@@ -3,23 +3,17 @@
 //! An oblique port without an x direction, which the paper warns of, cannot arise: a factory must state
 //! the x direction of every port, and one that does not is refused when it is evaluated.
 
-use crate::rounds::{self, Round};
 use crate::{Faults, Workshop};
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::spec::Assembly;
+use assemcad_store::{Draft, Round, history};
 
 mod check;
 mod layout;
-mod read;
-
-pub use read::{Draft, Loose};
 
 /// Where the rounds of drafts are counted.
 const ROUNDS: &str = ".assemcad/drafts";
-
-/// How many rounds a draft has where the server's command line says nothing.
-pub const DEFAULT_ROUNDS: usize = 5;
 
 /// What there is to say of a draft.
 #[derive(Debug)]
@@ -88,9 +82,9 @@ impl Workshop {
 }
 
 /// The rounds are used up: what was tried.
-fn failed(checked: &Checked, history: &[Round]) -> Diagnostic {
-    let first = history.first().map_or(0, |r| r.errors);
-    let last = history.last().map_or(0, |r| r.errors);
+fn failed(checked: &Checked, tried: &[Round]) -> Diagnostic {
+    let first = tried.first().map_or(0, |r| r.errors);
+    let last = tried.last().map_or(0, |r| r.errors);
     let mut d = Diagnostic::error(
         Code::DecompositionFailed,
         match &checked.id {
@@ -99,11 +93,11 @@ fn failed(checked: &Checked, history: &[Round]) -> Diagnostic {
         },
         format!(
             "the draft is still wrong after {} rounds: {first} error(s) in the first, {last} in the last",
-            history.len()
+            tried.len()
         ),
     );
     // Set whole: it is bounded by itself, and a cut text would be no history.
-    d.found = Some(rounds::history(history));
+    d.found = Some(history(tried));
     d.hint(
         "stop and think again about the decomposition: fewer kinds of parts, other factories \
          (describe_factory shows the ports); a draft that is valid, or has another id, begins anew",

@@ -10,7 +10,7 @@ use crate::facts::{MateFacts, PartFacts};
 use crate::geometry::collinear;
 use crate::indexed::Indexed;
 use crate::joints::about_part;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// A structural part that fasteners hold has two of them, or something else that keeps it from turning.
 pub struct AntiRotation;
@@ -24,7 +24,7 @@ impl Check for AntiRotation {
         "T-09"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for part in &facts.parts {
             let flat = matches!(
@@ -47,7 +47,7 @@ fn is_axis(t: PortType) -> bool {
     )
 }
 
-fn held(axiom: &str, facts: &Indexed, part: &PartFacts) -> Option<Verdict> {
+fn held(axiom: &str, facts: &Indexed, part: &PartFacts) -> Option<Ruling> {
     // The axes seen from outside, as inverse frames; those without a place are each one of their own.
     let mut axes = 0;
     let mut known: Vec<Placement> = Vec::new();
@@ -75,7 +75,7 @@ fn held(axiom: &str, facts: &Indexed, part: &PartFacts) -> Option<Verdict> {
         return None;
     }
     if part.placement.is_none() {
-        return Some(Verdict::unplaced(axiom, about_part(part, mates)));
+        return Some(Ruling::unplaced(axiom, about_part(part, mates)));
     }
     let n = axes;
     let message = if n > 1 {
@@ -83,5 +83,5 @@ fn held(axiom: &str, facts: &Indexed, part: &PartFacts) -> Option<Verdict> {
     } else {
         format!("'{}' can turn about its only fastener", part.id)
     };
-    Some(Verdict::held(axiom, n > 1, about_part(part, mates), message).value("axes", f64::from(n)))
+    Some(Ruling::held(axiom, n > 1, about_part(part, mates), message).value("axes", f64::from(n)))
 }

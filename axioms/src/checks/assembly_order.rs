@@ -4,7 +4,7 @@ use super::Check;
 use crate::apart::{groups, locked};
 use crate::facts::Ways;
 use crate::indexed::Indexed;
-use crate::verdict::{About, Status, Verdict};
+use crate::ruling::{About, Ruling, Status};
 use assemcad_model::ports::PortType;
 
 /// Taken apart along straight ways, nothing is left together.
@@ -19,7 +19,7 @@ impl Check for AssemblyOrder {
         "S-01"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         // What has no place is another check's, and a part alone needs no order.
         let placed: Vec<String> = facts
             .parts
@@ -32,7 +32,7 @@ impl Check for AssemblyOrder {
         }
         let Some(ways) = &facts.measured.ways else {
             let message = "what is in whose way was not measured";
-            return vec![Verdict::new(
+            return vec![Ruling::new(
                 self.axiom(),
                 Status::Indeterminate,
                 About::assembly(),
@@ -41,11 +41,11 @@ impl Check for AssemblyOrder {
         };
         let left = groups(&placed, &ways.axes);
         let stuck: Vec<&Vec<String>> = left.iter().filter(|g| g.len() > 1).collect();
-        let mut out: Vec<Verdict> = stuck.iter().map(|g| self.stuck(facts, ways, g)).collect();
+        let mut out: Vec<Ruling> = stuck.iter().map(|g| self.stuck(facts, ways, g)).collect();
         for unseen in &ways.open {
             let message = format!("the way of '{}' is not known: {}", unseen.part, unseen.why);
             let about = About::parts([&unseen.part]);
-            out.push(Verdict::new(
+            out.push(Ruling::new(
                 self.axiom(),
                 Status::Indeterminate,
                 about,
@@ -57,7 +57,7 @@ impl Check for AssemblyOrder {
                 "the {} parts come apart one by one along straight ways, and go together the other way round",
                 placed.len()
             );
-            let v = Verdict::held(self.axiom(), true, About::assembly(), message)
+            let v = Ruling::held(self.axiom(), true, About::assembly(), message)
                 .value("parts", placed.len() as f64)
                 .value("axes", ways.axes.len() as f64);
             out.push(v.assuming(sampled(ways)));
@@ -69,7 +69,7 @@ impl Check for AssemblyOrder {
 impl AssemblyOrder {
     /// Two parts that hold each other are locked in; of more parts together it is not certain, since ways with
     /// turns and corners are not looked for, and snap hooks give way.
-    fn stuck(&self, facts: &Indexed, ways: &Ways, group: &[String]) -> Verdict {
+    fn stuck(&self, facts: &Indexed, ways: &Ways, group: &[String]) -> Ruling {
         let names = group
             .iter()
             .map(|p| format!("'{p}'"))
@@ -98,7 +98,7 @@ impl AssemblyOrder {
                 ),
             ),
         };
-        Verdict::new(self.axiom(), status, about, message)
+        Ruling::new(self.axiom(), status, about, message)
             .value("directions", ways_n as f64)
             .assuming(sampled(ways))
     }

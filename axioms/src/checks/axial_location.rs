@@ -7,7 +7,7 @@ use crate::asked::{Carried, END_PLAY_MM, shafts_in_bearings};
 use crate::facts::{MateFacts, Stop, Thrust};
 use crate::indexed::Indexed;
 use crate::joints::about_part;
-use crate::verdict::{Status, Verdict};
+use crate::ruling::{Ruling, Status};
 use assemcad_model::mates::MateType;
 
 /// Along its axis, either way, a shaft meets something that is held, within the end play.
@@ -22,7 +22,7 @@ impl Check for AxialLocation {
         "B-03"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut thrusts: BTreeMap<&str, &Thrust> = BTreeMap::new();
         for t in facts.measured.thrusts.iter().flatten() {
             thrusts.entry(&t.shaft).or_insert(t);
@@ -38,7 +38,7 @@ impl Check for AxialLocation {
                         let about = about_part(carried.shaft.part, [carried.mate]);
                         let message =
                             format!("what stops '{shaft}' along its axis was not measured");
-                        Verdict::new(self.axiom(), Status::Indeterminate, about, message)
+                        Ruling::new(self.axiom(), Status::Indeterminate, about, message)
                     }
                 }
             })
@@ -47,7 +47,7 @@ impl Check for AxialLocation {
 }
 
 impl AxialLocation {
-    fn held(&self, facts: &Indexed, carried: &Carried<'_>, stops: &[Stop]) -> Verdict {
+    fn held(&self, facts: &Indexed, carried: &Carried<'_>, stops: &[Stop]) -> Ruling {
         let shaft = carried.shaft.part.id.as_str();
         let ways = [("along its axis", true), ("against its axis", false)];
         let free: Vec<&str> = ways
@@ -65,7 +65,7 @@ impl AxialLocation {
             )
         };
         let mates = facts.mates_of(shaft);
-        Verdict::held(
+        Ruling::held(
             self.axiom(),
             free.is_empty(),
             about_part(carried.shaft.part, mates),

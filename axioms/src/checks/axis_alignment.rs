@@ -4,7 +4,7 @@ use super::Check;
 use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg, off_axis_mm};
 use crate::indexed::Indexed;
 use crate::joints::about;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 
@@ -35,7 +35,7 @@ impl Check for AxisAlignment {
         "C-02"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in facts
             .mates
@@ -46,7 +46,7 @@ impl Check for AxisAlignment {
                 continue;
             };
             let Some(seen) = b.sees(&c) else {
-                out.push(Verdict::unplaced(self.axiom(), about(m)));
+                out.push(Ruling::unplaced(self.axiom(), about(m)));
                 continue;
             };
             let (off, askew) = (off_axis_mm(&seen), askew_deg(&seen));
@@ -67,7 +67,7 @@ impl Check for AxisAlignment {
                 format!("the axes of {} and {} are on one line", m.base, m.incoming)
             };
             out.push(
-                Verdict::held(self.axiom(), line && room, about(m), message)
+                Ruling::held(self.axiom(), line && room, about(m), message)
                     .value("off_axis_mm", off)
                     .value("askew_deg", askew)
                     .value("diameters_differ_mm", play.unwrap_or(f64::NAN)),

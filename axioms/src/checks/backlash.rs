@@ -3,7 +3,7 @@
 use super::Check;
 use crate::gearing::pairs;
 use crate::indexed::Indexed;
-use crate::verdict::{Status, Verdict};
+use crate::ruling::{Ruling, Status};
 
 /// Some play between the free flanks, and not too much of it.
 pub struct Backlash;
@@ -23,11 +23,11 @@ impl Check for Backlash {
         "G-08"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             if p.seen.is_none() {
-                out.push(Verdict::unplaced(self.axiom(), p.about()));
+                out.push(Ruling::unplaced(self.axiom(), p.about()));
                 continue;
             }
             let Some(a) = p.distance() else { continue };
@@ -51,7 +51,7 @@ impl Check for Backlash {
                 "the teeth of {} {what}: {play:.4} mm along the working circles",
                 p.names()
             );
-            let mut v = Verdict::new(self.axiom(), status, p.about(), message)
+            let mut v = Ruling::new(self.axiom(), status, p.about(), message)
                 .value("backlash_mm", play)
                 .value("most_mm", most);
             if status == Status::Indeterminate {

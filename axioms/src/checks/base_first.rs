@@ -3,7 +3,7 @@
 use super::Check;
 use crate::indexed::Indexed;
 use crate::joints::{about, reached};
-use crate::verdict::{About, Verdict};
+use crate::ruling::{About, Ruling};
 use std::collections::BTreeSet;
 
 /// The ground is the first part, and each mate joins a part that has a place already.
@@ -18,13 +18,13 @@ impl Check for BaseFirst {
         "S-03"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let (Some(root), Some(first)) = (facts.root(), facts.parts.first()) else {
             return Vec::new();
         };
         let mut out = Vec::new();
         let message = format!("'{}' comes first, and '{root}' is the ground", first.id);
-        out.push(Verdict::held(
+        out.push(Ruling::held(
             self.axiom(),
             first.id == root,
             About::parts([&first.id]),
@@ -44,7 +44,7 @@ impl Check for BaseFirst {
             } else {
                 format!("'{}' joins '{b}' and '{c}' before either has a place", m.id)
             };
-            out.push(Verdict::held(self.axiom(), holds, about(m), message));
+            out.push(Ruling::held(self.axiom(), holds, about(m), message));
             placed.extend([b, c]);
         }
         out

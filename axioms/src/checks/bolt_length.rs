@@ -4,7 +4,7 @@ use super::Check;
 use crate::class::Class;
 use crate::indexed::Indexed;
 use crate::joints::screwed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// The end of a bolt stands out of its nut by one pitch at least.
 pub struct BoltLength;
@@ -18,7 +18,7 @@ impl Check for BoltLength {
         "T-05"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for s in screwed(facts) {
             if s.hole.part.class() != Class::Nut || s.mate.flag("free") {
@@ -33,7 +33,7 @@ impl Check for BoltLength {
                 s.screw.part.id, s.hole.part.id
             );
             out.push(
-                Verdict::held(self.axiom(), holds, s.about(), message)
+                Ruling::held(self.axiom(), holds, s.about(), message)
                     .value("protrusion_mm", out_mm)
                     .value("least_mm", least),
             );

@@ -6,7 +6,7 @@ use super::Check;
 use crate::asked::bores;
 use crate::facts::Wall;
 use crate::indexed::Indexed;
-use crate::verdict::{About, Status, Verdict};
+use crate::ruling::{About, Ruling, Status};
 
 /// The wall of a bore is a tenth of its diameter at least, wherever the bore has a wall.
 pub struct BoreWall;
@@ -24,7 +24,7 @@ impl Check for BoreWall {
         "N-02"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut walls: BTreeMap<(&str, &str), &Wall> = BTreeMap::new();
         for w in facts.measured.walls.iter().flatten() {
             walls.entry((&w.part, &w.port)).or_insert(w);
@@ -37,14 +37,14 @@ impl Check for BoreWall {
                 let wall = walls.get(&(part.as_str(), port.as_str()));
                 let Some((wall, least)) = wall.and_then(|w| Some((w, w.least_mm?))) else {
                     let message = format!("the wall around '{port}' of '{part}' was not measured");
-                    return Verdict::new(self.axiom(), Status::Indeterminate, about, message);
+                    return Ruling::new(self.axiom(), Status::Indeterminate, about, message);
                 };
                 let wanted = bore.least_mm;
                 let message = format!(
                     "'{port}' of '{part}' has {least:.3} mm of wall where it is thinnest; {wanted:.3} mm is \
                      the least"
                 );
-                Verdict::held(self.axiom(), least >= wanted - MEASURED_MM, about, message)
+                Ruling::held(self.axiom(), least >= wanted - MEASURED_MM, about, message)
                     .value("wall_mm", least)
                     .value("least_mm", wanted)
                     .value("rays", f64::from(wall.rays))

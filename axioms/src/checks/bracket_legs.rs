@@ -5,7 +5,7 @@ use crate::class::Class;
 use crate::geometry::askew_deg;
 use crate::indexed::Indexed;
 use crate::joints::about_part;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// A bracket or channel is joined on two walls that are not parallel.
 pub struct BracketLegs;
@@ -22,7 +22,7 @@ impl Check for BracketLegs {
         "N-06"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         // A part by itself is no assembly: there is nothing to join it to.
         if facts.parts.len() == 1 {
             return Vec::new();
@@ -53,7 +53,7 @@ impl Check for BracketLegs {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), holds, about_part(part, mates), message)
+                Ruling::held(self.axiom(), holds, about_part(part, mates), message)
                     .value("walls_deg", angle),
             );
         }

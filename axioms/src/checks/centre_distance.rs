@@ -4,7 +4,7 @@ use super::Check;
 use crate::gearing::pairs;
 use crate::geometry::NEAR_MM;
 use crate::indexed::Indexed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::angle::sin_cos_deg;
 
 /// The axes stand at the distance of ISO 21771, widened by the backlash that the mate states.
@@ -19,11 +19,11 @@ impl Check for CentreDistance {
         "G-01"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             if p.seen.is_none() {
-                out.push(Verdict::unplaced(self.axiom(), p.about()));
+                out.push(Ruling::unplaced(self.axiom(), p.about()));
                 continue;
             }
             let (Some(actual), Some(tight)) = (p.distance(), p.operating_distance()) else {
@@ -48,7 +48,7 @@ impl Check for CentreDistance {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), holds, p.about(), message)
+                Ruling::held(self.axiom(), holds, p.about(), message)
                     .value("distance_mm", actual)
                     .value("operating_distance_mm", wanted)
                     .value("tolerance_mm", NEAR_MM),

@@ -4,7 +4,7 @@ use super::Check;
 use crate::class::Class;
 use crate::indexed::Indexed;
 use crate::joints::{about_part, of_class};
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 
@@ -20,7 +20,7 @@ impl Check for Clamping {
         "T-01"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         // A part by itself is no assembly: there is nothing to join it to.
         if facts.parts.len() == 1 {
             return Vec::new();
@@ -48,7 +48,7 @@ impl Check for Clamping {
                     ),
                     (false, false) => format!("'{}' is neither seated nor engaged", bolt.id),
                 };
-                Verdict::held(
+                Ruling::held(
                     self.axiom(),
                     seated && engaged,
                     about_part(bolt, mates),

@@ -3,8 +3,8 @@
 use super::Check;
 use crate::indexed::Indexed;
 use crate::joints::{about, ends};
+use crate::ruling::{About, Ruling, Status};
 use crate::tables::clearance;
-use crate::verdict::{About, Status, Verdict};
 use assemcad_model::ports::PortType;
 
 /// A hole for a bolt is as wide as a series of ISO 273, and is for the bolt that passes it.
@@ -22,7 +22,7 @@ impl Check for ClearanceHole {
         "T-06"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for part in &facts.parts {
             for port in part
@@ -37,7 +37,7 @@ impl Check for ClearanceHole {
                     let message = format!(
                         "{name} is for a bolt of {d} mm, for which no clearance is on record"
                     );
-                    out.push(Verdict::new(
+                    out.push(Ruling::new(
                         self.axiom(),
                         Status::Indeterminate,
                         about,
@@ -55,7 +55,7 @@ impl Check for ClearanceHole {
                     series.fine, series.medium, series.coarse
                 );
                 out.push(
-                    Verdict::held(self.axiom(), holds, about, message)
+                    Ruling::held(self.axiom(), holds, about, message)
                         .value("hole_mm", wide)
                         .value("fine_mm", series.fine)
                         .value("medium_mm", series.medium)
@@ -79,7 +79,7 @@ impl Check for ClearanceHole {
                 bolt.part.id, hole.part.id
             );
             out.push(
-                Verdict::held(self.axiom(), holds, about(mate), message)
+                Ruling::held(self.axiom(), holds, about(mate), message)
                     .value("bolt_mm", d)
                     .value("hole_is_for_mm", wanted),
             );

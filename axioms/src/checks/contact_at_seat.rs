@@ -3,7 +3,7 @@
 use super::Check;
 use crate::indexed::Indexed;
 use crate::joints::about;
-use crate::verdict::{Status, Verdict};
+use crate::ruling::{Ruling, Status};
 
 /// Mates that mean contact show it on the solids.
 pub struct ContactAtSeat;
@@ -17,7 +17,7 @@ impl Check for ContactAtSeat {
         "F-05"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for c in facts.measured.contacts.iter().flatten() {
             let Some(m) = facts.mate(&c.mate) else {
@@ -29,7 +29,7 @@ impl Check for ContactAtSeat {
                 None => (Status::Indeterminate, "could not be measured"),
             };
             let message = format!("{} and {} {what} at their seats", m.base, m.incoming);
-            out.push(Verdict::new(self.axiom(), status, about(m), message));
+            out.push(Ruling::new(self.axiom(), status, about(m), message));
         }
         out
     }

@@ -3,7 +3,7 @@
 use super::Check;
 use crate::gearing::{BASIC_RACK, Pair, pairs};
 use crate::indexed::Indexed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::angle::sin_cos_deg;
 use core::f64::consts::PI;
 
@@ -40,11 +40,11 @@ impl Check for ContactRatio {
         "G-05"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             if p.seen.is_none() {
-                out.push(Verdict::unplaced(self.axiom(), p.about()));
+                out.push(Ruling::unplaced(self.axiom(), p.about()));
                 continue;
             }
             let Some(distance) = p.distance() else {
@@ -59,7 +59,7 @@ impl Check for ContactRatio {
                 p.names()
             );
             out.push(
-                Verdict::held(self.axiom(), holds, p.about(), message)
+                Ruling::held(self.axiom(), holds, p.about(), message)
                     .value("contact_ratio", total)
                     .value("least", LEAST)
                     .assuming(BASIC_RACK),

@@ -4,7 +4,7 @@ use super::Check;
 use crate::class::Class;
 use crate::indexed::Indexed;
 use crate::joints::of_class;
-use crate::verdict::{About, Verdict};
+use crate::ruling::{About, Ruling};
 use assemcad_model::ports::PortType;
 
 /// A hole in a plate keeps 1.2 hole diameters between its axis and the edges.
@@ -22,7 +22,7 @@ impl Check for EdgeDistance {
         "N-03"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         // Plates only: the faces of other parts end at walls and circles too, which is not known here.
         for part in of_class(facts, Class::Plate) {
@@ -64,7 +64,7 @@ impl Check for EdgeDistance {
                     hole.name, part.id
                 );
                 out.push(
-                    Verdict::held(
+                    Ruling::held(
                         self.axiom(),
                         e >= least - 1e-9,
                         About::parts([&part.id]),

@@ -5,7 +5,7 @@ use crate::class::Class;
 use crate::facts::{Material, PartFacts};
 use crate::indexed::Indexed;
 use crate::joints::screwed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// The engaged length against the nominal diameter, by the material of the hole.
 pub struct EngagementLength;
@@ -38,7 +38,7 @@ impl Check for EngagementLength {
         "T-03"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for s in screwed(facts) {
             // A drive is sized for wear, not for the strength of its shank.
@@ -53,7 +53,7 @@ impl Check for EngagementLength {
                 "'{}' is engaged over {engaged:.3} mm in '{}'; {least:.3} mm is the least ({factor} of {d} mm)",
                 s.screw.part.id, s.hole.part.id
             );
-            let mut v = Verdict::held(self.axiom(), holds, s.about(), message)
+            let mut v = Ruling::held(self.axiom(), holds, s.about(), message)
                 .value("engaged_mm", engaged)
                 .value("least_mm", least)
                 .value("factor", factor);

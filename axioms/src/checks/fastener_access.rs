@@ -6,7 +6,7 @@ use super::Check;
 use crate::asked::tools;
 use crate::facts::Reach;
 use crate::indexed::Indexed;
-use crate::verdict::{About, Status, Verdict};
+use crate::ruling::{About, Ruling, Status};
 
 /// The cylinder of the tool, from the head outward along the axis, is free.
 pub struct FastenerAccess;
@@ -23,7 +23,7 @@ impl Check for FastenerAccess {
         "S-02"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         // A fastener by itself is no assembly.
         if facts.parts.len() == 1 {
             return Vec::new();
@@ -39,7 +39,7 @@ impl Check for FastenerAccess {
                 let reach = reaches.get(id.as_str());
                 let Some((reach, free)) = reach.and_then(|r| Some((r, r.free_mm?))) else {
                     let message = format!("whether a tool reaches '{id}' was not measured");
-                    return Verdict::new(
+                    return Ruling::new(
                         self.axiom(),
                         Status::Indeterminate,
                         About::parts([id]),
@@ -57,7 +57,7 @@ impl Check for FastenerAccess {
                     ),
                     _ => (format!("a tool reaches '{id}' along its axis"), About::parts([id])),
                 };
-                Verdict::held(self.axiom(), holds, about, message)
+                Ruling::held(self.axiom(), holds, about, message)
                     .value("free_mm", free)
                     .value("tool_length_mm", tool.length_mm)
                     .value("tool_diameter_mm", tool.diameter_mm)

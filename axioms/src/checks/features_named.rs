@@ -3,7 +3,7 @@
 use super::Check;
 use crate::indexed::Indexed;
 use crate::joints::about;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// Both ends of every mate are ports of two different parts.
 pub struct FeaturesNamed;
@@ -17,7 +17,7 @@ impl Check for FeaturesNamed {
         "F-03"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         facts
             .mates
             .iter()
@@ -35,7 +35,7 @@ impl Check for FeaturesNamed {
                 } else {
                     format!("'{}' names what is not there: {}", m.id, lacking.join(", "))
                 };
-                Verdict::held(self.axiom(), lacking.is_empty() && !same, about(m), message)
+                Ruling::held(self.axiom(), lacking.is_empty() && !same, about(m), message)
             })
             .collect()
     }

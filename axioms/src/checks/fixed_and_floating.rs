@@ -8,7 +8,7 @@ use crate::class::Class;
 use crate::facts::PartFacts;
 use crate::indexed::Indexed;
 use crate::joints::{about_part, of_class};
-use crate::verdict::{Status, Verdict};
+use crate::ruling::{Ruling, Status};
 
 /// Of the bearings of a shaft one is held along the axis on both of its rings.
 pub struct FixedAndFloating;
@@ -22,7 +22,7 @@ impl Check for FixedAndFloating {
         "B-04"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for shaft in of_class(facts, Class::Shaft) {
             let mut mates = Vec::new();
@@ -51,7 +51,7 @@ impl Check for FixedAndFloating {
             };
             let message = format!("'{}' has {n} bearings: {what}", shaft.id);
             out.push(
-                Verdict::new(self.axiom(), status, about_part(shaft, mates), message)
+                Ruling::new(self.axiom(), status, about_part(shaft, mates), message)
                     .value("bearings", n as f64)
                     .value("fixed", f64::from(fixed)),
             );

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::Check;
 use crate::gearing::pairs;
 use crate::indexed::Indexed;
-use crate::verdict::{About, Verdict};
+use crate::ruling::{About, Ruling};
 
 /// Around every ring of gears that mesh, the ratios agree in size and sense.
 pub struct GearLoop;
@@ -21,7 +21,7 @@ impl Check for GearLoop {
 
     /// Each gear gets its speed from the first one of its train; a pair that closes a ring must agree. The
     /// speeds are those against whatever carries the axes, be it a frame or a planet carrier.
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let pairs = pairs(facts);
         let mut speed: BTreeMap<&str, f64> = BTreeMap::new();
         let mut of: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
@@ -63,7 +63,7 @@ impl Check for GearLoop {
                         mates: vec![p.mate.id.clone()],
                     };
                     out.push(
-                        Verdict::held(self.axiom(), holds, about, message)
+                        Ruling::held(self.axiom(), holds, about, message)
                             .value("speed_along_the_ring", b)
                             .value("speed_by_this_pair", a * ratio)
                             .assuming(

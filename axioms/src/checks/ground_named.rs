@@ -3,7 +3,7 @@
 use super::Check;
 use crate::class::Class;
 use crate::indexed::Indexed;
-use crate::verdict::{About, Verdict};
+use crate::ruling::{About, Ruling};
 
 /// The root is a part of structure.
 pub struct GroundNamed;
@@ -17,7 +17,7 @@ impl Check for GroundNamed {
         "F-02"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let Some(root) = facts.root() else {
             return Vec::new();
         };
@@ -28,7 +28,7 @@ impl Check for GroundNamed {
         let about = About::parts([root]);
         let Some(part) = facts.part(root) else {
             let message = format!("the ground '{root}' is no part");
-            return vec![Verdict::held(self.axiom(), false, about, message)];
+            return vec![Ruling::held(self.axiom(), false, about, message)];
         };
         let class = part.class();
         let holds = class.is_structure() || class == Class::Custom;
@@ -39,7 +39,7 @@ impl Check for GroundNamed {
                 "'{root}' ({class}) stands still, and is no part of structure that could carry others"
             )
         };
-        let mut v = Verdict::held(self.axiom(), holds, about, message);
+        let mut v = Ruling::held(self.axiom(), holds, about, message);
         if facts.root.is_none() {
             v = v.assuming("the first part is the ground: none is named");
         }

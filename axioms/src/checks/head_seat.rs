@@ -4,7 +4,7 @@ use super::Check;
 use crate::geometry::{NEAR_DEG, NEAR_MM, off_axis_mm, z_angle_deg};
 use crate::indexed::Indexed;
 use crate::joints::{about, ends};
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 
@@ -20,7 +20,7 @@ impl Check for HeadSeat {
         "T-10"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for mate in &facts.mates {
             if mate.mate_type != MateType::CoaxialFace {
@@ -55,7 +55,7 @@ impl Check for HeadSeat {
                 wrong.push(format!("its {wide} mm do not span the hole of {hole} mm"));
             }
             if wrong.is_empty() && v_off.is_none() {
-                out.push(Verdict::unplaced(self.axiom(), about(mate)));
+                out.push(Ruling::unplaced(self.axiom(), about(mate)));
                 continue;
             }
             let message = if wrong.is_empty() {
@@ -68,7 +68,7 @@ impl Check for HeadSeat {
                     wrong.join(", ")
                 )
             };
-            let mut v = Verdict::held(self.axiom(), wrong.is_empty(), about(mate), message)
+            let mut v = Ruling::held(self.axiom(), wrong.is_empty(), about(mate), message)
                 .value("seat_mm", wide)
                 .value("hole_mm", hole);
             if let Some((off, askew)) = v_off {

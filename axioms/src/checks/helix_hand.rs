@@ -3,7 +3,7 @@
 use super::Check;
 use crate::gearing::pairs;
 use crate::indexed::Indexed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// Equal and opposite helix angles outside, equal ones where one gear is a ring.
 pub struct HelixHand;
@@ -17,7 +17,7 @@ impl Check for HelixHand {
         "G-03"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             if (p.a.straight() && p.b.straight()) || p.parallel() == Some(false) {
@@ -28,7 +28,7 @@ impl Check for HelixHand {
             let holds = (p.b.helix_deg - wanted).abs() <= 1e-9;
             if p.seen.is_none() {
                 // On crossed axes another rule holds.
-                out.push(Verdict::unplaced(self.axiom(), p.about()));
+                out.push(Ruling::unplaced(self.axiom(), p.about()));
                 continue;
             }
             let message = if holds {
@@ -40,7 +40,7 @@ impl Check for HelixHand {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), holds, p.about(), message)
+                Ruling::held(self.axiom(), holds, p.about(), message)
                     .value("helix_base_deg", p.a.helix_deg)
                     .value("helix_incoming_deg", p.b.helix_deg),
             );

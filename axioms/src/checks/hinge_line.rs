@@ -6,7 +6,7 @@ use super::Check;
 use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg, off_axis_mm};
 use crate::hinges::hinges;
 use crate::indexed::Indexed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// The pins between the same leaves lie on one line.
 pub struct HingeLine;
@@ -20,7 +20,7 @@ impl Check for HingeLine {
         "H-01"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let all = hinges(facts);
         let mut of: BTreeMap<Vec<&str>, Vec<usize>> = BTreeMap::new();
         for (i, h) in all.iter().enumerate() {
@@ -34,7 +34,7 @@ impl Check for HingeLine {
                     continue;
                 };
                 let Some(seen) = p.pin.sees(&q.pin) else {
-                    out.push(Verdict::unplaced(self.axiom(), a.about()));
+                    out.push(Ruling::unplaced(self.axiom(), a.about()));
                     continue;
                 };
                 let (off, askew) = (off_axis_mm(&seen), askew_deg(&seen));
@@ -51,7 +51,7 @@ impl Check for HingeLine {
                 about.mates.extend(b.about().mates);
                 about.parts.push(b.pin.id.clone());
                 out.push(
-                    Verdict::held(self.axiom(), holds, about, message)
+                    Ruling::held(self.axiom(), holds, about, message)
                         .value("off_axis_mm", off)
                         .value("askew_deg", askew),
                 );

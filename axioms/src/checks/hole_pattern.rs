@@ -9,7 +9,7 @@ use crate::facts::Side;
 use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg};
 use crate::indexed::Indexed;
 use crate::joints::about;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// Where two faces lie on each other, the clearance and threaded holes of the part with fewer of them meet
 /// those of the other. Plain holes may be anything and are not compared.
@@ -31,7 +31,7 @@ impl Check for HolePattern {
         "N-07"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in facts
             .mates
@@ -48,7 +48,7 @@ impl Check for HolePattern {
             }
             let (Some(a), Some(b)) = (openings(&base, &incoming), openings(&incoming, &base))
             else {
-                out.push(Verdict::unplaced(self.axiom(), about(m)));
+                out.push(Ruling::unplaced(self.axiom(), about(m)));
                 continue;
             };
             // Fewer than two holes are no pattern.
@@ -79,7 +79,7 @@ impl Check for HolePattern {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), lacking == 0, about(m), message)
+                Ruling::held(self.axiom(), lacking == 0, about(m), message)
                     .value("in_line", met as f64)
                     .value("not_in_line", lacking as f64),
             );

@@ -3,7 +3,7 @@
 use super::Check;
 use crate::geometry::{NEAR_DEG, NEAR_MM, askew_deg};
 use crate::indexed::Indexed;
-use crate::verdict::{About, Verdict};
+use crate::ruling::{About, Ruling};
 use assemcad_model::ports::PortType;
 
 /// Clearance holes side by side in a part are 2.2 hole diameters apart.
@@ -22,7 +22,7 @@ impl Check for HoleSpacing {
         "N-04"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for part in &facts.parts {
             let holes: Vec<_> = part
@@ -55,7 +55,7 @@ impl Check for HoleSpacing {
                 part.id
             );
             out.push(
-                Verdict::held(
+                Ruling::held(
                     self.axiom(),
                     apart >= least - 1e-9,
                     About::parts([&part.id]),

@@ -4,7 +4,7 @@ use super::Check;
 use crate::class::Class;
 use crate::indexed::Indexed;
 use crate::joints::{about, ends, is_hole};
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::ports::PortType;
 
 /// The bore of a hub is as long as its diameter at least.
@@ -23,7 +23,7 @@ impl Check for HubLength {
         "P-03"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in &facts.mates {
             let shaft = |t| t == PortType::Shaft;
@@ -40,7 +40,7 @@ impl Check for HubLength {
                 bore.part.id
             );
             out.push(
-                Verdict::held(self.axiom(), length >= least - 1e-9, about(m), message)
+                Ruling::held(self.axiom(), length >= least - 1e-9, about(m), message)
                     .value("length_mm", length)
                     .value("least_mm", least),
             );

@@ -3,7 +3,7 @@
 use super::Check;
 use crate::indexed::Indexed;
 use crate::joints::{about, ends, is_cylinder, is_hole, reach, reach_along};
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
 
 /// The inner cylinder is as thick as the hole at least, and both have length in common.
@@ -18,7 +18,7 @@ impl Check for Interference {
         "C-03"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in facts
             .mates
@@ -35,7 +35,7 @@ impl Check for Interference {
             });
             // Written so that an unknown diameter is no interference.
             if excess >= 0.0 && common.is_none() {
-                out.push(Verdict::unplaced(self.axiom(), about(m)));
+                out.push(Ruling::unplaced(self.axiom(), about(m)));
                 continue;
             }
             let holds = excess >= 0.0 && common.is_none_or(|c| c > 0.0);
@@ -50,7 +50,7 @@ impl Check for Interference {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), holds, about(m), message)
+                Ruling::held(self.axiom(), holds, about(m), message)
                     .value("interference_mm", excess)
                     .value("common_length_mm", common.unwrap_or(f64::NAN)),
             );

@@ -4,7 +4,7 @@ use super::Check;
 use crate::geometry::NEAR_MM;
 use crate::hinges::hinges;
 use crate::indexed::Indexed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// Neighbours along the pin are of different leaves, without overlap and with play in sum.
 pub struct KnucklePlay;
@@ -18,11 +18,11 @@ impl Check for KnucklePlay {
         "H-04"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for h in hinges(facts) {
             let Some(along) = h.along() else {
-                out.push(Verdict::unplaced(self.axiom(), h.about()));
+                out.push(Ruling::unplaced(self.axiom(), h.about()));
                 continue;
             };
             if along.len() < 2 {
@@ -65,7 +65,7 @@ impl Check for KnucklePlay {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), wrong.is_empty(), h.about(), message)
+                Ruling::held(self.axiom(), wrong.is_empty(), h.about(), message)
                     .value("play_mm", play),
             );
         }

@@ -3,7 +3,7 @@
 use super::Check;
 use crate::indexed::Indexed;
 use crate::joints::reached;
-use crate::verdict::{About, Verdict};
+use crate::ruling::{About, Ruling};
 
 /// Every part reaches the root over mates.
 pub struct LoadPath;
@@ -17,7 +17,7 @@ impl Check for LoadPath {
         "N-01"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let Some(root) = facts.root() else {
             return Vec::new();
         };
@@ -38,7 +38,7 @@ impl Check for LoadPath {
                         p.id
                     )
                 };
-                Verdict::held(self.axiom(), holds, About::parts([&p.id]), message)
+                Ruling::held(self.axiom(), holds, About::parts([&p.id]), message)
             })
             .collect()
     }

@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::indexed::Indexed;
-use crate::verdict::{About, Status, Verdict};
+use crate::ruling::{About, Ruling, Status};
 
 /// As many motions as are meant.
 pub struct MobilityAsIntended;
@@ -16,13 +16,13 @@ impl Check for MobilityAsIntended {
         "K-03"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let Some(wanted) = facts.intended_mobility else {
             return Vec::new();
         };
         let Some(mobility) = &facts.mobility else {
             let message = "the motion of the assembly was not analysed";
-            return vec![Verdict::new(
+            return vec![Ruling::new(
                 self.axiom(),
                 Status::Indeterminate,
                 About::assembly(),
@@ -33,7 +33,7 @@ impl Check for MobilityAsIntended {
         let message =
             format!("the assembly has {found} independent motions, and {wanted} are intended");
         vec![
-            Verdict::held(self.axiom(), found == wanted, About::assembly(), message)
+            Ruling::held(self.axiom(), found == wanted, About::assembly(), message)
                 .value("mobility", f64::from(found))
                 .value("intended", f64::from(wanted)),
         ]

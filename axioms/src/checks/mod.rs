@@ -7,7 +7,7 @@ use crate::axiom::Axiom;
 use crate::facts::Facts;
 use crate::indexed::Indexed;
 use crate::knowledge::axioms;
-use crate::verdict::{About, Status, Verdict};
+use crate::ruling::{About, Ruling, Status};
 
 mod anti_rotation;
 mod assembly_order;
@@ -74,7 +74,7 @@ pub trait Check: Sync {
     /// The id of the axiom.
     fn axiom(&self) -> &'static str;
     /// The verdicts, one for each subject; none where there is nothing to check.
-    fn run(&self, facts: &Indexed) -> Vec<Verdict>;
+    fn run(&self, facts: &Indexed) -> Vec<Ruling>;
 }
 
 /// Every check that is written, sorted by name.
@@ -148,19 +148,19 @@ pub fn of(axiom: &Axiom) -> Option<&'static dyn Check> {
 /// The verdicts of all checks, in the order of the axioms' ids. A check that has nothing to check says
 /// `not_applicable` once; an axiom whose check is not written says nothing.
 #[must_use]
-pub fn run_all(facts: &Facts) -> Vec<Verdict> {
+pub fn run_all(facts: &Facts) -> Vec<Ruling> {
     run_all_on(&Indexed::new(facts.clone()))
 }
 
 /// As [`run_all`], of facts with their indices.
 #[must_use]
-pub fn run_all_on(facts: &Indexed) -> Vec<Verdict> {
+pub fn run_all_on(facts: &Indexed) -> Vec<Ruling> {
     let mut out = Vec::new();
     for axiom in axioms() {
         let Some(check) = of(axiom) else { continue };
         let verdicts = check.run(facts);
         if verdicts.is_empty() {
-            out.push(Verdict::new(
+            out.push(Ruling::new(
                 &axiom.id,
                 Status::NotApplicable,
                 About::assembly(),

@@ -6,7 +6,7 @@ use super::Check;
 use crate::facts::{Mobility, Redundant};
 use crate::indexed::Indexed;
 use crate::reasons::reasons;
-use crate::verdict::{About, Status, Verdict};
+use crate::ruling::{About, Ruling, Status};
 
 /// What is constrained twice has a note, or belongs to a pattern of joints that other axioms demand.
 pub struct NoRedundantConstraint;
@@ -20,10 +20,10 @@ impl Check for NoRedundantConstraint {
         "C-05"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let Some(mobility) = &facts.mobility else {
             let message = "the motion of the assembly was not analysed";
-            return vec![Verdict::new(
+            return vec![Ruling::new(
                 self.axiom(),
                 Status::Indeterminate,
                 About::assembly(),
@@ -32,12 +32,7 @@ impl Check for NoRedundantConstraint {
         };
         if mobility.redundant.is_empty() {
             let message = "no freedom is taken twice";
-            return vec![Verdict::held(
-                self.axiom(),
-                true,
-                About::assembly(),
-                message,
-            )];
+            return vec![Ruling::held(self.axiom(), true, About::assembly(), message)];
         }
         // One verdict: in a loop every mate repeats what the others hold, and to name each of them alone
         // would say the same over and over.
@@ -76,7 +71,7 @@ impl Check for NoRedundantConstraint {
             mates: told.iter().map(|r| r.mate.clone()).collect(),
         };
         let verdict =
-            Verdict::held(self.axiom(), held, about, message).value("redundant", f64::from(count));
+            Ruling::held(self.axiom(), held, about, message).value("redundant", f64::from(count));
         match taken_for_reasons(facts, mobility) {
             Some(reasons) => vec![verdict.assuming(reasons)],
             None => vec![verdict],

@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::indexed::Indexed;
-use crate::verdict::{About, Status, Verdict};
+use crate::ruling::{About, Ruling, Status};
 
 /// No pair shares more volume than its mates mean.
 pub struct NoUnmeantOverlap;
@@ -19,7 +19,7 @@ impl Check for NoUnmeantOverlap {
         "F-04"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for o in facts.measured.overlaps.iter().flatten() {
             let about = About {
@@ -29,7 +29,7 @@ impl Check for NoUnmeantOverlap {
             let names = format!("'{}' and '{}'", o.a, o.b);
             let Some(common) = o.common_mm3 else {
                 let message = format!("what {names} have in common could not be measured");
-                out.push(Verdict::new(
+                out.push(Ruling::new(
                     self.axiom(),
                     Status::Indeterminate,
                     about,
@@ -42,7 +42,7 @@ impl Check for NoUnmeantOverlap {
                 o.allowed_mm3
             );
             out.push(
-                Verdict::held(
+                Ruling::held(
                     self.axiom(),
                     common <= o.allowed_mm3 + TAU_MM3,
                     about,

@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::indexed::Indexed;
-use crate::verdict::{About, Verdict};
+use crate::ruling::{About, Ruling};
 
 /// Every part has a mate with another part.
 pub struct PartConnected;
@@ -16,7 +16,7 @@ impl Check for PartConnected {
         "F-01"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         if facts.parts.len() < 2 {
             return Vec::new();
         }
@@ -33,7 +33,7 @@ impl Check for PartConnected {
                 } else {
                     format!("nothing joins '{}'", p.id)
                 };
-                Verdict::held(self.axiom(), n > 0, About::parts([&p.id]), message)
+                Ruling::held(self.axiom(), n > 0, About::parts([&p.id]), message)
                     .value("mates", n as f64)
             })
             .collect()

@@ -3,7 +3,7 @@
 use super::Check;
 use crate::hinges::hinges;
 use crate::indexed::Indexed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// At least one leaf is not pressed on the pin.
 pub struct PinFit;
@@ -17,7 +17,7 @@ impl Check for PinFit {
         "H-05"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for h in hinges(facts) {
             let leaves = h.leaves();
@@ -32,7 +32,7 @@ impl Check for PinFit {
                 leaves.len()
             );
             out.push(
-                Verdict::held(self.axiom(), turning > 0, h.about(), message)
+                Ruling::held(self.axiom(), turning > 0, h.about(), message)
                     .value("leaves", leaves.len() as f64)
                     .value("turning_in", turning as f64),
             );

@@ -5,7 +5,7 @@ use crate::geometry::NEAR_MM;
 use crate::hinges::hinges;
 use crate::indexed::Indexed;
 use crate::joints::reach;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// Every knuckle lies within the length of the pin.
 pub struct PinReach;
@@ -19,11 +19,11 @@ impl Check for PinReach {
         "H-02"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for h in hinges(facts) {
             let (Some(along), Some(first)) = (h.along(), h.knuckles.first()) else {
-                out.push(Verdict::unplaced(self.axiom(), h.about()));
+                out.push(Ruling::unplaced(self.axiom(), h.about()));
                 continue;
             };
             let (low, high) = reach(&first.pin);
@@ -41,7 +41,7 @@ impl Check for PinReach {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), holds, h.about(), message)
+                Ruling::held(self.axiom(), holds, h.about(), message)
                     .value("lacking_mm", lacking.max(0.0)),
             );
         }

@@ -3,7 +3,7 @@
 use super::Check;
 use crate::hinges::hinges;
 use crate::indexed::Indexed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
 
 /// The pin is pressed into a leaf, or two things hold it.
@@ -18,7 +18,7 @@ impl Check for PinRetention {
         "H-03"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for h in hinges(facts) {
             let pressed = h.knuckles.iter().any(|k| k.pressed());
@@ -41,7 +41,7 @@ impl Check for PinRetention {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), holds, h.about(), message).value("stops", stops as f64),
+                Ruling::held(self.axiom(), holds, h.about(), message).value("stops", stops as f64),
             );
         }
         out

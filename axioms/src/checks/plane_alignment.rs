@@ -4,7 +4,7 @@ use super::Check;
 use crate::geometry::{NEAR_DEG, NEAR_MM, z_angle_deg};
 use crate::indexed::Indexed;
 use crate::joints::about;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
 
 /// Opposed normals at the stated gap.
@@ -19,7 +19,7 @@ impl Check for PlaneAlignment {
         "C-01"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in facts
             .mates
@@ -30,7 +30,7 @@ impl Check for PlaneAlignment {
                 continue;
             };
             let Some(seen) = b.sees(&c) else {
-                out.push(Verdict::unplaced(self.axiom(), about(m)));
+                out.push(Ruling::unplaced(self.axiom(), about(m)));
                 continue;
             };
             let (askew, gap) = (180.0 - z_angle_deg(&seen), seen.origin().z);
@@ -45,7 +45,7 @@ impl Check for PlaneAlignment {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), holds, about(m), message)
+                Ruling::held(self.axiom(), holds, about(m), message)
                     .value("askew_deg", askew)
                     .value("gap_mm", gap)
                     .value("stated_gap_mm", stated),

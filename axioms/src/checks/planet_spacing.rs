@@ -6,7 +6,7 @@ use super::Check;
 use crate::gearing::{Gear, Pair, pairs};
 use crate::geometry::{collinear, off_axis_mm};
 use crate::indexed::Indexed;
-use crate::verdict::{About, Verdict};
+use crate::ruling::{About, Ruling};
 
 /// The planets of a stage share the axes of sun and ring, and find a gap in both at their places.
 pub struct PlanetSpacing;
@@ -30,7 +30,7 @@ impl Check for PlanetSpacing {
         "G-09"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let pairs = pairs(facts);
         let mut out = Vec::new();
         let mut rings: Vec<&str> = pairs
@@ -78,7 +78,7 @@ fn ring_and_planet<'a>(p: &Pair<'a>) -> Option<(&'a str, &'a str)> {
 }
 
 /// The verdict on the stage of a ring and a sun; none where no planet joins the two.
-fn stage(axiom: &str, of: &Pairs<'_>, ring: &str, sun: &str) -> Option<Verdict> {
+fn stage(axiom: &str, of: &Pairs<'_>, ring: &str, sun: &str) -> Option<Ruling> {
     let mut planets: Vec<Planet<'_>> = Vec::new();
     let mut ends: Option<(Gear, Gear)> = None;
     for p in of.get(ring).into_iter().flatten() {
@@ -156,7 +156,7 @@ fn stage(axiom: &str, of: &Pairs<'_>, ring: &str, sun: &str) -> Option<Verdict> 
         )
     };
     let placed = planets.iter().all(|p| p.at_deg.is_some());
-    let v = Verdict::held(axiom, wrong.is_empty(), About::parts(parts), message)
+    let v = Ruling::held(axiom, wrong.is_empty(), About::parts(parts), message)
         .value("teeth_of_sun_and_ring", sum)
         .value("planets", planets.len() as f64);
     Some(if placed {

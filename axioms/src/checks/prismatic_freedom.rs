@@ -4,7 +4,7 @@ use super::Check;
 use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::left::at_each;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// A mate that cites it is left one translation and nothing else.
 pub struct PrismaticFreedom;
@@ -18,7 +18,7 @@ impl Check for PrismaticFreedom {
         "K-02"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         at_each(
             facts,
             self.axiom(),
@@ -29,7 +29,7 @@ impl Check for PrismaticFreedom {
                     "'{}' is left {} turns, {} slides and {} screw motions; one slide is meant",
                     m.id, j.turns, j.slides, j.screws
                 );
-                Verdict::held(self.axiom(), holds, about(m), message)
+                Ruling::held(self.axiom(), holds, about(m), message)
                     .value("turns", f64::from(j.turns))
                     .value("slides", f64::from(j.slides))
             },

@@ -4,7 +4,7 @@ use super::Check;
 use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::left::at_each;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// A mate that cites it is left one rotation and nothing else.
 pub struct RevoluteFreedom;
@@ -18,7 +18,7 @@ impl Check for RevoluteFreedom {
         "K-01"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         at_each(
             facts,
             self.axiom(),
@@ -29,7 +29,7 @@ impl Check for RevoluteFreedom {
                     "'{}' is left {} turns, {} slides and {} screw motions; one turn is meant",
                     m.id, j.turns, j.slides, j.screws
                 );
-                Verdict::held(self.axiom(), holds, about(m), message)
+                Ruling::held(self.axiom(), holds, about(m), message)
                     .value("turns", f64::from(j.turns))
                     .value("slides", f64::from(j.slides))
             },

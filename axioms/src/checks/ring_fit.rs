@@ -4,7 +4,7 @@ use super::Check;
 use crate::class::Class;
 use crate::indexed::Indexed;
 use crate::joints::{about_part, of_class};
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 
@@ -20,7 +20,7 @@ impl Check for RingFit {
         "B-02"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         of_class(facts, Class::BallBearing)
             .map(|bearing| {
                 let mates: Vec<_> = facts.mates_of(&bearing.id).collect();
@@ -42,7 +42,7 @@ impl Check for RingFit {
                         bearing.id
                     )
                 };
-                Verdict::held(self.axiom(), !both, about_part(bearing, mates), message)
+                Ruling::held(self.axiom(), !both, about_part(bearing, mates), message)
             })
             .collect()
     }

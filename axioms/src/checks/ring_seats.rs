@@ -4,7 +4,7 @@ use super::Check;
 use crate::class::Class;
 use crate::indexed::Indexed;
 use crate::joints::{about_part, of_class};
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::ports::PortType;
 
 /// A bearing has a mate on its inner and one on its outer ring, with two parts.
@@ -19,7 +19,7 @@ impl Check for RingSeats {
         "B-01"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         // A part by itself is no assembly: there is nothing to join it to.
         if facts.parts.len() == 1 {
             return Vec::new();
@@ -48,7 +48,7 @@ impl Check for RingSeats {
                     }
                     (None, None) => format!("neither ring of '{}' has a seat", bearing.id),
                 };
-                Verdict::held(self.axiom(), holds, about_part(bearing, mates), message)
+                Ruling::held(self.axiom(), holds, about_part(bearing, mates), message)
             })
             .collect()
     }

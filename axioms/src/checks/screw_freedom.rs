@@ -4,7 +4,7 @@ use super::Check;
 use crate::indexed::Indexed;
 use crate::joints::about;
 use crate::left::at_each;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// A thread that is left free has one screw motion in the whole assembly.
 pub struct ScrewFreedom;
@@ -18,7 +18,7 @@ impl Check for ScrewFreedom {
         "K-05"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         at_each(
             facts,
             self.axiom(),
@@ -29,7 +29,7 @@ impl Check for ScrewFreedom {
                     "the drive '{}' is left {} screw motions, {} turns and {} slides; one screw motion is meant",
                     m.id, j.screws, j.turns, j.slides
                 );
-                Verdict::held(self.axiom(), holds, about(m), message)
+                Ruling::held(self.axiom(), holds, about(m), message)
                     .value("screws", f64::from(j.screws))
             },
         )

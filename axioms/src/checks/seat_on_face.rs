@@ -5,7 +5,7 @@ use crate::facts::Side;
 use crate::geometry::NEAR_MM;
 use crate::indexed::Indexed;
 use crate::joints::about;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 
@@ -32,7 +32,7 @@ impl Check for SeatOnFace {
         "C-04"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in facts
             .mates
@@ -43,7 +43,7 @@ impl Check for SeatOnFace {
                 continue;
             };
             let Some(seen) = face.sees(&seat) else {
-                out.push(Verdict::unplaced(self.axiom(), about(m)));
+                out.push(Ruling::unplaced(self.axiom(), about(m)));
                 continue;
             };
             let (Some((x, y)), Some((u, v))) = (half(&face), half(&seat)) else {
@@ -70,7 +70,7 @@ impl Check for SeatOnFace {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), holds, about(m), message)
+                Ruling::held(self.axiom(), holds, about(m), message)
                     .value("over_the_edge_mm", over.max(0.0)),
             );
         }

@@ -4,7 +4,7 @@ use super::Check;
 use crate::asked::tips;
 use crate::indexed::Indexed;
 use crate::joints::about;
-use crate::verdict::{Status, Verdict};
+use crate::ruling::{Ruling, Status};
 
 /// Under the tip of a set screw the shaft has a plane face square to the screw, or a dimple.
 pub struct SetScrewSeat;
@@ -18,7 +18,7 @@ impl Check for SetScrewSeat {
         "T-08"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let seats = facts.measured.tips.as_deref().unwrap_or_default();
         tips(facts)
             .into_iter()
@@ -28,7 +28,7 @@ impl Check for SetScrewSeat {
                 let (screw, shaft) = (&tip.screw.part.id, &tip.shaft.part.id);
                 let Some(seat) = seats.iter().find(|s| s.mate == tip.mate.id) else {
                     let message = format!("on what '{screw}' stands on '{shaft}' was not measured");
-                    return Verdict::new(self.axiom(), Status::Indeterminate, about, message);
+                    return Ruling::new(self.axiom(), Status::Indeterminate, about, message);
                 };
                 let message = if seat.flat {
                     format!("'{screw}' stands on a flat of '{shaft}'")
@@ -37,7 +37,7 @@ impl Check for SetScrewSeat {
                 } else {
                     format!("'{screw}' has no flat or dimple of '{shaft}' under its tip")
                 };
-                Verdict::held(self.axiom(), seat.flat || seat.sunk, about, message)
+                Ruling::held(self.axiom(), seat.flat || seat.sunk, about, message)
             })
             .collect()
     }

@@ -4,7 +4,7 @@ use super::Check;
 use crate::gearing::pairs;
 use crate::geometry::askew_deg;
 use crate::indexed::Indexed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// Helical gears on axes that are not parallel: the angle of the axes is the sum of the helix angles.
 pub struct ShaftAngle;
@@ -21,12 +21,12 @@ impl Check for ShaftAngle {
         "G-04"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             let straight = p.a.straight() && p.b.straight();
             if p.seen.is_none() && !straight {
-                out.push(Verdict::unplaced(self.axiom(), p.about()));
+                out.push(Ruling::unplaced(self.axiom(), p.about()));
             }
             // Straight teeth on such axes are a matter of the tooth system.
             if p.parallel() != Some(false) || straight {
@@ -48,7 +48,7 @@ impl Check for ShaftAngle {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), holds, p.about(), message)
+                Ruling::held(self.axiom(), holds, p.about(), message)
                     .value("axes_deg", angle)
                     .value("sum_of_helices_deg", wanted),
             );

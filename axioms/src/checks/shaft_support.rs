@@ -9,7 +9,7 @@ use crate::facts::{MateFacts, PartFacts, Side};
 use crate::geometry::NEAR_MM;
 use crate::indexed::Indexed;
 use crate::joints::{about_part, is_cylinder, is_hole, reach_along};
-use crate::verdict::{Status, Verdict};
+use crate::ruling::{Ruling, Status};
 
 /// A shaft has two places along its axis that carry it, or one that takes moments.
 pub struct ShaftSupport;
@@ -35,7 +35,7 @@ impl Check for ShaftSupport {
         "P-01"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let rotating = facts.parts.iter().filter(|p| turns(facts, p));
         rotating
             .map(|shaft| carried(self.axiom(), facts, shaft))
@@ -70,12 +70,12 @@ fn places<'a>(facts: &'a Indexed, shaft: &PartFacts) -> Vec<Place<'a>> {
     out
 }
 
-fn carried(axiom: &str, facts: &Indexed, shaft: &PartFacts) -> Verdict {
+fn carried(axiom: &str, facts: &Indexed, shaft: &PartFacts) -> Ruling {
     let places = places(facts, shaft);
     let about = about_part(shaft, places.iter().map(|p| p.mate));
     let custom = places.iter().any(|p| p.hole.part.class() == Class::Custom);
     let verdict = |status, message: String| {
-        let v = Verdict::new(axiom, status, about.clone(), message);
+        let v = Ruling::new(axiom, status, about.clone(), message);
         if custom {
             v.assuming("a part of a user's factory with the shaft in its bore carries the shaft")
         } else {

@@ -4,7 +4,7 @@ use super::Check;
 use crate::geometry::{NEAR_DEG, z_angle_deg};
 use crate::indexed::Indexed;
 use crate::joints::{about, ends};
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 use assemcad_model::ports::PortType;
 
 /// The locking faces of hook and catch face each other and overlap.
@@ -19,7 +19,7 @@ impl Check for SnapLock {
         "T-12"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for mate in &facts.mates {
             let snap = |t| t == PortType::SnapFit;
@@ -27,7 +27,7 @@ impl Check for SnapLock {
                 continue;
             };
             let Some(seen) = a.sees(&b) else {
-                out.push(Verdict::unplaced(self.axiom(), about(mate)));
+                out.push(Ruling::unplaced(self.axiom(), about(mate)));
                 continue;
             };
             let (o, [x, _, _]) = (seen.origin(), seen.axes());
@@ -53,7 +53,7 @@ impl Check for SnapLock {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), holds, about(mate), message)
+                Ruling::held(self.axiom(), holds, about(mate), message)
                     .value("overlap_mm", common_x)
                     .value("overlap_across_mm", common_y),
             );

@@ -3,7 +3,7 @@
 use super::Check;
 use crate::facts::{Material, PartFacts};
 use crate::indexed::Indexed;
-use crate::verdict::{About, Status, Verdict};
+use crate::ruling::{About, Ruling, Status};
 
 /// The centre of mass is above the box of the ground.
 pub struct StableFooting;
@@ -26,7 +26,7 @@ impl Check for StableFooting {
         "N-05"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let ground = facts.root().and_then(|r| facts.part(r));
         let Some(ground) = ground.and_then(|g| g.geometry.as_ref()) else {
             return Vec::new();
@@ -37,7 +37,7 @@ impl Check for StableFooting {
             let Some(g) = &part.geometry else {
                 let message = format!("'{}' was not measured", part.id);
                 let about = About::parts([&part.id]);
-                return vec![Verdict::new(
+                return vec![Ruling::new(
                     self.axiom(),
                     Status::Indeterminate,
                     about,
@@ -63,7 +63,7 @@ impl Check for StableFooting {
             assumed.push_str("; steel where no material is stated");
         }
         vec![
-            Verdict::held(self.axiom(), inside >= 0.0, About::assembly(), message)
+            Ruling::held(self.axiom(), inside >= 0.0, About::assembly(), message)
                 .value("inside_mm", inside)
                 .value("x_mm", x)
                 .value("y_mm", y)

@@ -4,7 +4,7 @@ use super::Check;
 use crate::class::Class;
 use crate::indexed::Indexed;
 use crate::joints::screwed;
-use crate::verdict::{Status, Verdict};
+use crate::ruling::{Ruling, Status};
 
 /// The end of a screw stays short of the end of the thread in its hole.
 pub struct ThreadBottoming;
@@ -21,7 +21,7 @@ impl Check for ThreadBottoming {
         "T-04"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for s in screwed(facts) {
             // A nut is open at its far end, and so is a hole that the mate lets the screw stand out of.
@@ -41,7 +41,7 @@ impl Check for ThreadBottoming {
                 "'{}' {what} the thread in '{}'",
                 s.screw.part.id, s.hole.part.id
             );
-            let v = Verdict::new(self.axiom(), status, s.about(), message)
+            let v = Ruling::new(self.axiom(), status, s.about(), message)
                 .value("screw_end_mm", end)
                 .value("thread_depth_mm", depth);
             out.push(if status == Status::Pass {

@@ -3,7 +3,7 @@
 use super::Check;
 use crate::indexed::Indexed;
 use crate::joints::screwed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// Equal nominal diameter, pitch and hand.
 pub struct ThreadMatch;
@@ -17,7 +17,7 @@ impl Check for ThreadMatch {
         "T-02"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         screwed(facts)
             .iter()
             .map(|s| {
@@ -42,7 +42,7 @@ impl Check for ThreadMatch {
                         differ.join(", ")
                     )
                 };
-                Verdict::held(self.axiom(), differ.is_empty(), s.about(), message)
+                Ruling::held(self.axiom(), differ.is_empty(), s.about(), message)
                     .value("screw_diameter_mm", s.screw.port.value("diameter"))
                     .value("screw_pitch_mm", s.screw.port.value("pitch"))
                     .value("hole_diameter_mm", s.hole.port.value("diameter"))

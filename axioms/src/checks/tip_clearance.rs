@@ -3,7 +3,7 @@
 use super::Check;
 use crate::gearing::{BASIC_RACK, pairs};
 use crate::indexed::Indexed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// Both tips of a pair stay clear of the roots that they face.
 pub struct TipClearance;
@@ -21,11 +21,11 @@ impl Check for TipClearance {
         "G-07"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for p in pairs(facts) {
             if p.seen.is_none() {
-                out.push(Verdict::unplaced(self.axiom(), p.about()));
+                out.push(Ruling::unplaced(self.axiom(), p.about()));
                 continue;
             }
             let Some(a) = p.distance() else { continue };
@@ -50,7 +50,7 @@ impl Check for TipClearance {
                 first.min(second)
             );
             out.push(
-                Verdict::held(self.axiom(), holds, p.about(), message)
+                Ruling::held(self.axiom(), holds, p.about(), message)
                     .value("clearance_mm", first.min(second))
                     .value("least_mm", least)
                     .assuming(BASIC_RACK),

@@ -4,7 +4,7 @@ use super::Check;
 use crate::gearing::pairs;
 use crate::geometry::askew_deg;
 use crate::indexed::Indexed;
-use crate::verdict::Verdict;
+use crate::ruling::Ruling;
 
 /// Equal module and pressure angle; parallel axes where both gears are straight.
 pub struct ToothSystem;
@@ -21,7 +21,7 @@ impl Check for ToothSystem {
         "G-02"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         pairs(facts)
             .iter()
             .map(|p| {
@@ -38,14 +38,14 @@ impl Check for ToothSystem {
                     wrong.push("their axes are not parallel");
                 }
                 if wrong.is_empty() && p.seen.is_none() {
-                    return Verdict::unplaced(self.axiom(), p.about());
+                    return Ruling::unplaced(self.axiom(), p.about());
                 }
                 let message = if wrong.is_empty() {
                     format!("{} are of one tooth system", p.names())
                 } else {
                     format!("{} do not go together: {}", p.names(), wrong.join(", "))
                 };
-                let mut v = Verdict::held(self.axiom(), wrong.is_empty(), p.about(), message)
+                let mut v = Ruling::held(self.axiom(), wrong.is_empty(), p.about(), message)
                     .value("module_base_mm", p.a.module)
                     .value("module_incoming_mm", p.b.module)
                     .value("pressure_angle_base_deg", p.a.pressure_deg)

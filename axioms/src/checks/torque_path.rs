@@ -7,7 +7,7 @@ use crate::class::Class;
 use crate::facts::{MateFacts, PartFacts};
 use crate::indexed::Indexed;
 use crate::joints::{about, ends, is_hole};
-use crate::verdict::{Status, Verdict};
+use crate::ruling::{Ruling, Status};
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 
@@ -56,7 +56,7 @@ impl Check for TorquePath {
         "P-02"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for m in &facts.mates {
             let shaft = |t| t == PortType::Shaft;
@@ -84,7 +84,7 @@ impl Check for TorquePath {
                 );
                 (Status::Fail, message)
             };
-            out.push(Verdict::new(self.axiom(), status, about(m), message));
+            out.push(Ruling::new(self.axiom(), status, about(m), message));
         }
         out
     }

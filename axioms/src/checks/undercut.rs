@@ -3,7 +3,7 @@
 use super::Check;
 use crate::gearing::Gear;
 use crate::indexed::Indexed;
-use crate::verdict::{About, Verdict};
+use crate::ruling::{About, Ruling};
 use assemcad_model::ports::PortType;
 
 /// Enough teeth, or shift, for the pressure angle.
@@ -22,7 +22,7 @@ impl Check for Undercut {
         "G-06"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for part in &facts.parts {
             for port in part
@@ -48,7 +48,7 @@ impl Check for Undercut {
                     )
                 };
                 out.push(
-                    Verdict::held(self.axiom(), holds, About::parts([&part.id]), message)
+                    Ruling::held(self.axiom(), holds, About::parts([&part.id]), message)
                         .value("teeth", g.teeth)
                         .value("profile_shift", g.shift)
                         .value("least_profile_shift", needed)

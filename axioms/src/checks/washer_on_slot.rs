@@ -4,8 +4,8 @@ use super::Check;
 use crate::class::Class;
 use crate::indexed::Indexed;
 use crate::joints::{about, ends};
+use crate::ruling::Ruling;
 use crate::tables::clearance;
-use crate::verdict::Verdict;
 use assemcad_model::ports::PortType;
 
 /// No head or nut sits directly on a hole that is wider than the coarse series of ISO 273.
@@ -20,7 +20,7 @@ impl Check for WasherOnSlot {
         "T-07"
     }
 
-    fn run(&self, facts: &Indexed) -> Vec<Verdict> {
+    fn run(&self, facts: &Indexed) -> Vec<Ruling> {
         let mut out = Vec::new();
         for mate in &facts.mates {
             let seat = |t| matches!(t, PortType::BoltSeat | PortType::FlatFace);
@@ -48,7 +48,7 @@ impl Check for WasherOnSlot {
                 )
             };
             out.push(
-                Verdict::held(self.axiom(), holds, about(mate), message)
+                Ruling::held(self.axiom(), holds, about(mate), message)
                     .value("hole_mm", wide)
                     .value("coarse_mm", series.coarse),
             );

@@ -6,10 +6,11 @@ use assemcad_model::param::{ParamKind, ParamSpec};
 use assemcad_script::Factory;
 use serde_json::json;
 
-use super::gate::{Outcome, Tried};
+use super::gate::Tried;
 use super::report::{Finding, Layer};
 use super::request::Request;
 use super::sets::differing;
+use super::trial::Outcome;
 
 /// The parameters that are asked for and not declared so.
 pub(super) fn agree(factory: &Factory, request: &Request) -> Vec<Finding> {

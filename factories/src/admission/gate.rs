@@ -2,25 +2,25 @@
 //!
 //! Three layers. *Execution*: the source parses, declares what was asked for, and runs within the limits.
 //! *Geometry*: the kernel makes one valid closed solid of positive volume. *Ports*: the expected ports are
-//! there, and the solid shows every port that is declared. All of it at the defaults, at the ends and
-//! corners of the ranges and between them ([`super::sets`]).
+//! there, and the solid shows every port that is declared. All of it at the defaults first, then at the ends
+//! of the ranges, at their corners and between them ([`super::sets`]): a stage that fails is the last one.
 
 use std::collections::BTreeMap;
+use std::time::Duration;
 
-use assemcad_kernel::pool::Pool;
-use assemcad_kernel::protocol::{Built, Failure, FailureKind, Job, Reply};
+use assemcad_geometry::Asker;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::param::ParamSpec;
-use assemcad_script::{Evaluated, Evaluator, Factory};
-use futures::stream::{self, StreamExt};
+use assemcad_script::{Evaluator, Factory};
 use serde_json::json;
 
+use super::agree;
 use super::narrow::narrow;
 use super::report::{Evidence, Finding, Layer, Report};
 use super::request::Request;
 use super::sets::{Origin, Set, differing, sets};
-use super::{agree, hints, ports};
-use crate::failure;
+use super::stages::{Extent, Progress};
+use super::trial::{Outcome, Trial};
 
 /// Of the sets that are no defaults, at least this share must be made: else the ranges say what the
 /// factory's own rules take back.
@@ -29,10 +29,23 @@ const LEAST_MADE: f64 = 0.25;
 /// What the gate works with.
 #[derive(Debug, Clone, Copy)]
 pub struct Gate<'a> {
-    /// The kernel's workers.
-    pub pool: &'a Pool,
+    /// Who answers for the solids.
+    pub door: Asker<'a>,
     /// Who evaluates sources.
     pub evaluator: &'a Evaluator,
+    /// After how long no further set is begun; the defaults always are.
+    pub limit: Duration,
+}
+
+/// How a source is to be tried.
+#[derive(Clone, Copy)]
+pub struct Manner<'a> {
+    /// At which sets.
+    pub extent: Extent,
+    /// Whether a source that works in a part of its ranges only is admitted for that part.
+    pub narrowed: bool,
+    /// Who is told after each set.
+    pub watch: &'a (dyn Fn(Progress) + Sync),
 }
 
 /// A factory that passed.
@@ -44,26 +57,6 @@ pub struct Admission {
     pub ranges: BTreeMap<String, [f64; 2]>,
     /// On what it is admitted.
     pub evidence: Evidence,
-}
-
-/// A part as a set of parameters gives it.
-#[derive(Debug)]
-pub struct Made {
-    /// Calls and lines.
-    pub evaluated: Evaluated,
-    /// Measures and ports.
-    pub built: Built,
-}
-
-/// What became of one set of parameters.
-#[derive(Debug)]
-pub(super) enum Outcome {
-    /// The factory's own rules refuse it.
-    Refused(Vec<Diagnostic>),
-    /// Made, and nothing is wrong with it.
-    Made(Box<Made>),
-    /// What is wrong.
-    Failed(Vec<Finding>),
 }
 
 /// A set and what became of it.
@@ -83,20 +76,21 @@ impl Gate<'_> {
 
     /// Holds a source against a request: the whole of a round.
     ///
-    /// Where it works at its defaults but not in all of its ranges, and `narrowed` allows it, it is
+    /// Where it works at its defaults but not in all of its ranges, and the manner allows it, it is
     /// admitted for the ranges in which it was shown to work.
     ///
     /// # Errors
-    /// Everything that is wrong with it.
+    /// Everything that is wrong with it; a report without findings where the limit was reached first.
     pub async fn judge(
         &self,
         name: &str,
         source: &str,
         request: &Request,
-        narrowed: bool,
+        manner: Manner<'_>,
     ) -> Result<Admission, Box<Report>> {
         let factory = self.parse(name, source).await?;
-        let report = self.examine(&factory, request).await;
+        let trial = Trial::new(*self, manner);
+        let report = examine(&trial, &factory, request).await;
         if let Some(evidence) = report.evidence {
             return Ok(Admission {
                 factory,
@@ -105,9 +99,10 @@ impl Gate<'_> {
             });
         }
         let at_defaults = report.findings.iter().any(|f| f.at.is_empty());
-        if narrowed
+        if manner.narrowed
             && !at_defaults
-            && let Some((factory, evidence, ranges)) = narrow(self, &factory, request).await
+            && !report.findings.is_empty()
+            && let Some((factory, evidence, ranges)) = narrow(&trial, &factory, request).await
         {
             return Ok(Admission {
                 factory,
@@ -117,89 +112,53 @@ impl Gate<'_> {
         }
         Err(Box::new(report))
     }
+}
 
-    /// Tries a factory at all its sets of parameters and reports everything that is wrong.
-    pub(super) async fn examine(&self, factory: &Factory, request: &Request) -> Report {
-        let mut findings = agree::agree(factory, request);
-        let all = sets(factory.params());
-        let count = all.len();
-        let mut all = all.into_iter();
-        let mut tried = Vec::new();
-        if let Some(defaults) = all.next() {
-            tried.push(self.try_set(factory, request, defaults).await);
-        }
-        // What differs from the request is mended first: the other sets may be others then.
-        let sound = matches!(tried.first(), Some((_, _, Outcome::Made(_)))) && findings.is_empty();
-        if sound {
-            let each = all.map(|set| self.try_set(factory, request, set));
-            // In their order, whichever is done first.
-            let more = stream::iter(each).buffered(2 * self.pool.size());
-            tried.extend(more.collect::<Vec<Tried>>().await);
-        }
-        findings.extend(folded(factory.params(), &tried));
-        if sound {
-            findings.extend(rules(factory, &tried));
+/// Tries a factory at its sets of parameters, stage by stage, and reports everything that is wrong at the
+/// first stage where anything is.
+pub(super) async fn examine(trial: &Trial<'_>, factory: &Factory, request: &Request) -> Report {
+    let all = sets(factory.params());
+    let mut findings = agree::agree(factory, request);
+    let mut tried: Vec<Tried> = Vec::new();
+    let of = |stage: Origin| -> Vec<Set> {
+        let own = all.iter().filter(|(origin, _)| *origin == stage);
+        own.map(|(_, set)| set.clone()).collect()
+    };
+    let mut stages = trial.manner.extent.stages().iter().copied();
+    let mut sound = true;
+    for stage in stages.by_ref() {
+        let sets = of(stage);
+        let count = sets.len();
+        let outcomes = trial.stage(factory, request, stage, sets).await;
+        sound = outcomes.len() == count
+            && !outcomes.iter().any(|(.., outcome)| match outcome {
+                Outcome::Failed(_) => true,
+                Outcome::Refused(_) => stage == Origin::Defaults,
+                Outcome::Made(_) => false,
+            });
+        tried.extend(outcomes);
+        if stage == Origin::End && sound {
             findings.extend(agree::without_effect(factory, request, &tried));
         }
-        Report::of(findings, count, &tried)
-    }
-
-    async fn try_set(
-        &self,
-        factory: &Factory,
-        request: &Request,
-        (origin, set): (Origin, Set),
-    ) -> Tried {
-        let outcome = self.outcome(factory, request, &set).await;
-        (origin, set, outcome)
-    }
-
-    /// What becomes of a set of parameters, in all three layers.
-    pub(super) async fn outcome(&self, factory: &Factory, request: &Request, set: &Set) -> Outcome {
-        let made = match self.make(factory, set).await {
-            Ok(made) => made,
-            Err(outcome) => return outcome,
-        };
-        let found = ports::examine(self, factory.name(), request, set, &made).await;
-        if found.is_empty() {
-            Outcome::Made(Box::new(made))
-        } else {
-            Outcome::Failed(found)
+        // What differs from the request is mended first: the other sets may be others then.
+        sound = sound && findings.is_empty();
+        if !sound {
+            break;
         }
     }
-
-    /// Script and kernel at one set.
-    async fn make(&self, factory: &Factory, set: &Set) -> Result<Made, Outcome> {
-        let evaluated = self.evaluator.build(factory, set).await.map_err(|faults| {
-            let own_rule = |d: &Diagnostic| d.code == Code::ParamInvalid && d.place == "params";
-            if faults.iter().all(own_rule) {
-                return Outcome::Refused(faults);
-            }
-            let of = |d| Finding::of(Layer::Execution, d);
-            Outcome::Failed(faults.into_iter().map(of).collect())
-        })?;
-        let job = Job::Build {
-            recipe: evaluated.recipe.clone(),
-        };
-        let failure = match self.pool.run(&job).await {
-            Ok((Reply::Built(built), _)) => return Ok(Made { evaluated, built }),
-            Ok(_) => Failure {
-                kind: FailureKind::Worker,
-                doing: None,
-                message: "the worker answered another question".to_owned(),
-            },
-            Err(failure) => failure,
-        };
-        // What the kernel says is about the shape; a limit or a crash is about the running.
-        let layer = match failure.kind {
-            FailureKind::Refused => Layer::Geometry,
-            _ => Layer::Execution,
-        };
-        let d = failure::failed_in(&failure, None, factory.name(), &evaluated.lines);
-        let mut finding = Finding::of(layer, hints::of_geometry(d, &failure, &evaluated.recipe));
-        finding.line = failure::line(&failure, &evaluated.lines);
-        Err(Outcome::Failed(vec![finding]))
+    // Behind a stage that fails nothing is built; what the source itself says there is told all the same.
+    let at_defaults = tried.iter().all(|(stage, ..)| *stage == Origin::Defaults);
+    if !sound && !at_defaults && !trial.is_over() {
+        for stage in stages {
+            tried.extend(trial.scripts(factory, stage, of(stage)).await);
+        }
     }
+    findings.extend(folded(factory.params(), &tried));
+    if sound {
+        findings.extend(rules(factory, &tried));
+    }
+    let extent = trial.manner.extent;
+    Report::of(findings, extent, &all, &tried, trial.is_over())
 }
 
 /// What fails alike at several sets is told once, at the first of them.

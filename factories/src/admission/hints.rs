@@ -1,13 +1,12 @@
 //! What would mend a fault, in plain words: found by asking the solid again with the usual slips undone.
 
-use assemcad_kernel::pool::Pool;
-use assemcad_kernel::protocol::Failure;
+use assemcad_geometry::Asker;
+use assemcad_kernel::protocol::{Built, Failure, Named};
 use assemcad_model::diagnostic::Diagnostic;
 use assemcad_model::ports::{Port, PortType};
 use assemcad_model::recipe::Recipe;
 use assemcad_model::report::rounded;
 
-use super::gate::Made;
 use crate::evidence;
 
 /// Named planes whose normal looks along a negative axis, where a positive length goes the other way
@@ -78,9 +77,15 @@ struct Slip {
 }
 
 /// What a port without evidence probably means.
-pub(super) async fn of_port(pool: &Pool, recipe: &Recipe, port: &Port, made: &Made) -> String {
+pub(super) async fn of_port(
+    door: Asker<'_>,
+    solid: &Named,
+    recipe: &Recipe,
+    port: &Port,
+    built: &Built,
+) -> String {
     for slip in slips(port) {
-        let shown = match evidence::ask(pool, recipe, [&slip.port]).await {
+        let shown = match evidence::ask(door, solid, [&slip.port]).await {
             Ok(asked) => asked
                 .iter()
                 .all(|(_, answers)| answers.iter().all(|(_, a)| a.held)),
@@ -90,7 +95,7 @@ pub(super) async fn of_port(pool: &Pool, recipe: &Recipe, port: &Port, made: &Ma
             return format!("the solid shows this port where {}", slip.words);
         }
     }
-    let (min, max) = (made.built.min, made.built.max);
+    let (min, max) = (built.min, built.max);
     let outside = port
         .frame
         .origin

@@ -13,9 +13,13 @@ mod record;
 mod report;
 mod request;
 mod sets;
+mod stages;
+mod trial;
 
 pub use examples::{evidence, nearest};
-pub use gate::{Admission, Gate};
+pub use gate::{Admission, Gate, Manner};
 pub use record::{NAMESPACE, Record, file_name, is_valid_user_name, split_version, versioned};
 pub use report::{Evidence, Finding, Layer, LayerVerdict, PortEvidence, Report, Tally};
 pub use request::{AskedKind, AskedParam, ExpectedPort, Request};
+pub use sets::Origin;
+pub use stages::{Extent, Progress, Stage};

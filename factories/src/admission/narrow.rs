@@ -7,13 +7,15 @@ use std::collections::BTreeMap;
 
 use assemcad_model::param::{ParamKind, ParamSpec};
 use assemcad_script::Factory;
+use futures::stream::{self, StreamExt};
 use serde_json::Value;
 
-use super::gate::{Gate, Outcome};
+use super::gate::examine;
 use super::record::ranges;
 use super::report::Evidence;
 use super::request::Request;
 use super::sets::Set;
+use super::trial::{Outcome, Trial};
 
 /// How often an end is halved towards the default.
 const HALVINGS: usize = 5;
@@ -25,26 +27,44 @@ const SHARE: f64 = 0.75;
 /// The factory within the ranges in which it works, its evidence there, and which ranges were drawn in;
 /// none where it works at its defaults only.
 pub(super) async fn narrow(
-    gate: &Gate<'_>,
+    trial: &Trial<'_>,
     factory: &Factory,
     request: &Request,
 ) -> Option<(Factory, Evidence, BTreeMap<String, [f64; 2]>)> {
     let mut specs = factory.params().to_vec();
-    for i in 0..specs.len() {
-        let Some(ends) = specs.get(i).and_then(Ends::of) else {
+    // Each end is looked for with all else at its default: none waits for another.
+    let wanted = specs.iter().enumerate().filter_map(|(i, spec)| {
+        let ends = Ends::of(spec)?;
+        Some([(i, ends.default, ends.low), (i, ends.default, ends.high)])
+    });
+    let wanted: Vec<(usize, f64, f64)> = wanted.flatten().collect();
+    let declared = &specs;
+    let each = wanted.into_iter().map(|(i, default, far)| async move {
+        let good = end(trial, factory, request, declared, i, (default, far)).await;
+        (i, far, good)
+    });
+    let found = stream::iter(each).buffered(2 * trial.gate.door.processes());
+    for (i, far, good) in found.collect::<Vec<_>>().await {
+        let Some((spec, mut ends)) = specs
+            .get_mut(i)
+            .and_then(|s| Ends::of(s).map(|ends| (s, ends)))
+        else {
             continue;
         };
-        let mut good = ends.clone();
-        good.low = end(gate, factory, request, &specs, i, (ends.default, ends.low)).await;
-        good.high = end(gate, factory, request, &specs, i, (ends.default, ends.high)).await;
-        if let Some(spec) = specs.get_mut(i) {
-            good.put(spec);
+        if far < ends.default {
+            ends.low = good;
+        } else if far > ends.default {
+            ends.high = good;
         }
+        ends.put(spec);
     }
     for _ in 0..DRAWN_IN {
+        if trial.is_over() {
+            return None;
+        }
         let drawn = factory.clone().within(specs.clone());
         let asked = within(request, &specs);
-        let report = gate.examine(&drawn, &asked).await;
+        let report = examine(trial, &drawn, &asked).await;
         if let Some(evidence) = report.evidence {
             let drawn_in = ranges(factory.params(), &specs);
             return specs
@@ -80,7 +100,7 @@ fn within(request: &Request, specs: &[ParamSpec]) -> Request {
 
 /// The outermost good value from the default towards an end, the other parameters at their defaults.
 async fn end(
-    gate: &Gate<'_>,
+    trial: &Trial<'_>,
     factory: &Factory,
     request: &Request,
     specs: &[ParamSpec],
@@ -94,7 +114,7 @@ async fn end(
             return good;
         };
         let value = rounded_inwards(spec, tried, default);
-        if value == good || is_good(gate, factory, request, &specs, (index, value)).await {
+        if value == good || is_good(trial, factory, request, &specs, (index, value)).await {
             good = value;
             if n == 0 {
                 return good;
@@ -108,7 +128,7 @@ async fn end(
 }
 
 async fn is_good(
-    gate: &Gate<'_>,
+    trial: &Trial<'_>,
     factory: &Factory,
     request: &Request,
     specs: &[ParamSpec],
@@ -123,10 +143,12 @@ async fn is_good(
         (spec.name.clone(), value)
     });
     let set: Set = each.collect();
-    !matches!(
-        gate.outcome(factory, request, &set).await,
-        Outcome::Failed(_)
-    )
+    // Behind the limit nothing is good, and nothing comes of it.
+    !trial.expired()
+        && !matches!(
+            trial.outcome(factory, request, &set).await,
+            Outcome::Failed(_)
+        )
 }
 
 fn as_json(spec: &ParamSpec, value: f64) -> Value {

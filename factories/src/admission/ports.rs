@@ -1,13 +1,16 @@
 //! The third layer: the expected ports, and the evidence of all that are declared.
 
+use assemcad_geometry::Asker;
+use assemcad_kernel::protocol::{Built, Named};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::frame::Frame;
 use assemcad_model::name::nearest;
 use assemcad_model::ports::Port;
+use assemcad_model::recipe::Recipe;
 use assemcad_model::report::rounded;
 use serde_json::json;
 
-use super::gate::{Gate, Made};
+use super::gate::Gate;
 use super::hints;
 use super::report::{Finding, Layer};
 use super::request::{ExpectedPort, Request};
@@ -22,23 +25,20 @@ const EQUAL: f64 = 1e-4;
 /// How near, in mm, origins are that are one.
 const ONE_PLACE_MM: f64 = 1e-4;
 
-/// Everything that is wrong with the ports of a part.
-pub(super) async fn examine(
-    gate: &Gate<'_>,
+/// What is wrong with the ports of a solid, whatever is expected of them.
+pub(super) async fn shown(
+    door: Asker<'_>,
     name: &str,
-    request: &Request,
-    set: &Set,
-    made: &Made,
+    (solid, recipe): (&Named, &Recipe),
+    built: &Built,
 ) -> Vec<Finding> {
     let whose = format!("factory {name}");
-    let mut found = expected(gate, &whose, request, set, &made.built.ports).await;
-    found.extend(coincident(&whose, &made.built.ports));
-    let recipe = &made.evaluated.recipe;
-    match evidence::ask(gate.pool, recipe, &made.built.ports).await {
+    let mut found = coincident(&whose, &built.ports);
+    match evidence::ask(door, solid, &built.ports).await {
         Ok(asked) => {
             for (port, answers) in asked {
                 if let Some((d, _)) = evidence::missing(port, &answers, &whose) {
-                    let hint = hints::of_port(gate.pool, recipe, port, made).await;
+                    let hint = hints::of_port(door, solid, recipe, port, built).await;
                     found.push(Finding::of_port(&port.name, d.hint(hint)));
                 }
             }
@@ -59,16 +59,16 @@ pub(super) async fn examine(
 }
 
 /// Expected ports that are not there, or not as expected.
-async fn expected(
+pub(super) async fn expected(
     gate: &Gate<'_>,
-    whose: &str,
+    name: &str,
     request: &Request,
     set: &Set,
     ports: &[Port],
 ) -> Vec<Finding> {
     let mut found = Vec::new();
     for wanted in &request.expected_ports {
-        let place = format!("{whose}, port '{}'", wanted.name);
+        let place = format!("factory {name}, port '{}'", wanted.name);
         match ports.iter().find(|p| p.name == wanted.name) {
             None => found.push(Finding::of_port(
                 &wanted.name,

@@ -7,7 +7,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::gate::{Outcome, Tried};
+use super::gate::Tried;
+use super::sets::{Origin, Set};
+use super::stages::{Extent, Stage, stages};
+use super::trial::Outcome;
 
 /// The layers, in the order in which they are tried.
 #[derive(
@@ -98,7 +101,7 @@ pub struct Tally {
     pub refused_by_rules: usize,
     /// How many fail.
     pub failed: usize,
-    /// How many were not tried, because the source or its defaults are at fault.
+    /// How many are left: not asked for, behind a stage that fails, or behind the limit on time.
     pub not_tried: usize,
 }
 
@@ -130,6 +133,12 @@ pub struct PortEvidence {
 pub struct Evidence {
     /// The sets of parameters.
     pub tally: Tally,
+    /// At which sets it was to be tried.
+    #[serde(default)]
+    pub sets: Extent,
+    /// The sets by stages.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub stages: Vec<Stage>,
     /// SHA-256 of the recipe at the defaults.
     pub recipe_sha256: String,
     /// Volume at the defaults in mm3.
@@ -151,40 +160,57 @@ pub struct Report {
     pub layers: Vec<LayerVerdict>,
     /// The sets of parameters.
     pub tally: Tally,
-    /// The evidence; none where anything is wrong.
+    /// The sets by stages.
+    pub stages: Vec<Stage>,
+    /// Whether the limit on time was reached before all sets that were asked for had been tried.
+    pub unfinished: bool,
+    /// The evidence; none where anything is wrong, or unfinished.
     pub evidence: Option<Evidence>,
 }
 
 impl Report {
     /// A source that was not tried at any set.
     pub(super) fn refused(findings: Vec<Finding>) -> Self {
-        Self::of(findings, 0, &[])
+        Self::of(findings, Extent::All, &[], &[], false)
     }
 
-    pub(super) fn of(findings: Vec<Finding>, sets: usize, tried: &[Tried]) -> Self {
+    pub(super) fn of(
+        findings: Vec<Finding>,
+        extent: Extent,
+        all: &[(Origin, Set)],
+        tried: &[Tried],
+        unfinished: bool,
+    ) -> Self {
         let count = |which: fn(&Outcome) -> bool| tried.iter().filter(|(_, _, o)| which(o)).count();
         let tally = Tally {
-            sets,
+            sets: all.len(),
             made: count(|o| matches!(o, Outcome::Made(_))),
             refused_by_rules: count(|o| matches!(o, Outcome::Refused(_))),
             failed: count(|o| matches!(o, Outcome::Failed(_))),
-            not_tried: sets - tried.len(),
+            not_tried: all.len() - tried.len(),
         };
+        let stages = stages(all, tried);
         let evidence = match tried.first() {
-            Some((_, _, Outcome::Made(made))) if findings.is_empty() => Some(Evidence {
-                tally,
-                recipe_sha256: made.built.recipe.clone(),
-                volume_mm3: rounded(made.built.volume),
-                box_min_mm: made.built.min.map(rounded),
-                box_max_mm: made.built.max.map(rounded),
-                ports: made.built.ports.iter().map(PortEvidence::of).collect(),
-            }),
+            Some((_, _, Outcome::Made(made))) if findings.is_empty() && !unfinished => {
+                Some(Evidence {
+                    tally,
+                    sets: extent,
+                    stages: stages.clone(),
+                    recipe_sha256: made.built.recipe.clone(),
+                    volume_mm3: rounded(made.built.volume),
+                    box_min_mm: made.built.min.map(rounded),
+                    box_max_mm: made.built.max.map(rounded),
+                    ports: made.built.ports.iter().map(PortEvidence::of).collect(),
+                })
+            }
             _ => None,
         };
         Self {
             layers: layers(&findings, tried),
             findings,
             tally,
+            stages,
+            unfinished,
             evidence,
         }
     }

@@ -15,7 +15,8 @@ use super::cache::{self, Disk, Entry};
 use crate::error::{KernelError, Result};
 use crate::mesh::Mesh;
 use crate::protocol::{
-    Built, CommonVolume, Doing, Instance, Job, Placed, Product, Reply, Source, StepFacts, StepLeaf,
+    Built, CommonVolume, Doing, Instance, Job, Named, Placed, Product, Reply, Source, StepFacts,
+    StepLeaf,
 };
 use crate::replay::Part;
 use crate::shape::Shape;
@@ -53,6 +54,8 @@ pub(super) type Found = (String, Rc<Solid>, Source);
 pub(super) struct Bench {
     memory: LruCache<String, Rc<Solid>>,
     disk: Option<Disk>,
+    /// Whether the job at hand names a solid that is neither known here nor said how to make.
+    unknown: bool,
 }
 
 impl Bench {
@@ -61,10 +64,20 @@ impl Bench {
         Self {
             memory: cache::in_memory(),
             disk,
+            unknown: false,
         }
     }
 
     pub(super) fn work(&mut self, job: &Job, tell: Tell<'_>) -> Result<(Reply, Vec<u8>)> {
+        self.unknown = false;
+        let done = self.do_job(job, tell);
+        match self.unknown {
+            true => Ok((Reply::Unknown, Vec::new())),
+            false => done,
+        }
+    }
+
+    fn do_job(&mut self, job: &Job, tell: Tell<'_>) -> Result<(Reply, Vec<u8>)> {
         match job {
             Job::Build { recipe } => Ok((Reply::Built(self.build(recipe, tell)?), Vec::new())),
             Job::CommonVolume { a, b, samples } => {
@@ -105,12 +118,22 @@ impl Bench {
                 deflection,
                 angle_deg,
             } => self.tessellate(body, *deflection, *angle_deg, tell),
+            Job::Skin {
+                recipe,
+                deflection,
+                angle_deg,
+            } => {
+                let (hash, solid, _) = self.solid(recipe, tell)?;
+                tell(doing("skin", Some(hash)));
+                let skin = solid.shape.skin(*deflection, *angle_deg)?;
+                Ok((Reply::Skin, skin.to_bytes()?))
+            }
             Job::Measure { of } => Ok((Reply::Measured(self.measure(of, tell)?), Vec::new())),
             Job::Distance { a, b } => Ok((Reply::Distance(self.distance(a, b, tell)?), Vec::new())),
         }
     }
 
-    fn build(&mut self, recipe: &Recipe, tell: Tell<'_>) -> Result<Built> {
+    fn build(&mut self, recipe: &Named, tell: Tell<'_>) -> Result<Built> {
         let (hash, solid, source) = self.solid(recipe, tell)?;
         tell(Doing {
             operation: "measure".to_owned(),
@@ -231,10 +254,13 @@ impl Bench {
     }
 
     /// The solid of a recipe: from memory, from disk, or made.
-    pub(super) fn solid(&mut self, recipe: &Recipe, tell: Tell<'_>) -> Result<Found> {
-        let hash = recipe
-            .hash()
-            .map_err(|_| KernelError::refused("the recipe holds a number that is not finite"))?;
+    pub(super) fn solid(&mut self, named: &Named, tell: Tell<'_>) -> Result<Found> {
+        if named.hash().is_empty() {
+            return Err(KernelError::refused(
+                "the recipe holds a number that is not finite",
+            ));
+        }
+        let hash = named.hash().to_owned();
         if let Some(known) = self.memory.get(&hash) {
             return Ok((hash, Rc::clone(known), Source::Memory));
         }
@@ -243,10 +269,16 @@ impl Bench {
             Entry::Sound(payload) => Solid::from_payload(payload),
             Entry::Missing | Entry::Damaged => None,
         };
-        let (solid, source) = match (on_disk, entry) {
-            (Some(solid), _) => (solid, Source::Disk),
-            (None, Entry::Missing) => (self.make(recipe, &hash, tell)?, Source::Replayed),
-            (None, _) => (self.make(recipe, &hash, tell)?, Source::Repaired),
+        let (solid, source) = match (on_disk, named.recipe(), entry) {
+            (Some(solid), ..) => (solid, Source::Disk),
+            (None, None, _) => {
+                self.unknown = true;
+                return Err(KernelError::refused("the solid is not known here"));
+            }
+            (None, Some(recipe), Entry::Missing) => {
+                (self.make(recipe, &hash, tell)?, Source::Replayed)
+            }
+            (None, Some(recipe), _) => (self.make(recipe, &hash, tell)?, Source::Repaired),
         };
         let solid = Rc::new(solid);
         self.memory.put(hash.clone(), Rc::clone(&solid));

@@ -14,6 +14,7 @@ use super::solid::{countersink, drill, through};
 use super::value::{Node, Value};
 use crate::brep::Topology;
 use crate::error::{KernelError, Result};
+use crate::query::Bounds;
 use crate::shape::Shape;
 
 /// How far, in mm, a hole's mouth may be from the workplane, and a measured depth from the stated one.
@@ -29,11 +30,44 @@ struct Bore {
     end: f64,
 }
 
-/// Where a tool takes material away, by pieces, uppermost first.
-fn pieces(solid: &Shape, tool: &Shape, at: &Placement) -> Result<Vec<Bore>> {
-    let removed = solid.shared(&[tool], None)?;
+/// Where each of some tools takes material away, by pieces, uppermost first.
+///
+/// Tools whose boxes are apart are tried together: to the kernel a solid of many faces costs the more.
+fn pieces(solid: &Shape, tools: &[(Shape, Placement)]) -> Result<Vec<Vec<Bore>>> {
+    let boxes = tools
+        .iter()
+        .map(|(tool, _)| tool.bounds())
+        .collect::<Result<Vec<Bounds>>>()?;
+    let apart = boxes.iter().enumerate().all(|(i, one)| {
+        let mut others = boxes.iter().skip(i + 1);
+        others.all(|other| one.common(other).is_none())
+    });
+    let mut found: Vec<Vec<Bore>> = Vec::new();
+    if apart {
+        let all: Vec<&Shape> = tools.iter().map(|(tool, _)| tool).collect();
+        let removed = solid.shared(&all, None)?.parts(Topology::Solid)?;
+        let mut middles = Vec::new();
+        for piece in &removed {
+            middles.push(piece.bounds()?.middle());
+        }
+        for ((_, at), own) in tools.iter().zip(&boxes) {
+            let theirs = removed.iter().zip(&middles);
+            let theirs = theirs.filter(|(_, middle)| own.holds(middle));
+            found.push(bores(theirs.map(|(piece, _)| piece), at)?);
+        }
+    } else {
+        for (tool, at) in tools {
+            let removed = solid.shared(&[tool], None)?.parts(Topology::Solid)?;
+            found.push(bores(removed.iter(), at)?);
+        }
+    }
+    Ok(found)
+}
+
+/// Pieces of a hole as they lie along its axis, uppermost first.
+fn bores<'a>(pieces: impl Iterator<Item = &'a Shape>, at: &Placement) -> Result<Vec<Bore>> {
     let mut found = Vec::new();
-    for piece in removed.parts(Topology::Solid)? {
+    for piece in pieces {
         let extent = piece.moved(&at.inverse())?.extent()?;
         let ([_, _, low], [_, _, high]) = (extent.min, extent.max);
         found.push(Bore {
@@ -77,9 +111,13 @@ impl Drilled {
     /// and the last one.
     fn cut(&self, tool: &Shape, diameter: f64) -> Result<(Shape, Vec<(Bore, Bore)>)> {
         let plain = drill(diameter, self.depth)?;
+        let drills = self
+            .at
+            .iter()
+            .map(|at| Ok((plain.moved(at)?, *at)))
+            .collect::<Result<Vec<_>>>()?;
         let (mut tools, mut bores) = (Vec::new(), Vec::new());
-        for at in &self.at {
-            let mut found = pieces(&self.solid, &plain.moved(at)?, at)?;
+        for ((_, at), mut found) in drills.iter().zip(pieces(&self.solid, &drills)?) {
             // Rounded here: as text, what is a little below 0 would be -0.000.
             let [x, y, z] = at.origin().map(|n| (n * 1e3).round() / 1e3 + 0.0).into();
             let here = format!("the hole at ({x:.3}, {y:.3}, {z:.3})");

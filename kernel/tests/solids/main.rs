@@ -22,3 +22,5 @@ mod primitives;
 mod profiles;
 #[cfg(test)]
 mod revolution;
+#[cfg(test)]
+mod sides;

@@ -4,6 +4,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
+/// The density of steel in kg/m3, where none is stated.
+pub const STEEL_KG_M3: f64 = 7850.0;
+
 /// What an assembly weighs, by one density for all its parts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Mass {

@@ -1,0 +1,29 @@
+//! Whether two placed solids enter each other for sure.
+
+use assemcad_kernel::protocol::Failure;
+
+use super::skin::Skin;
+use crate::door::{Asker, Key, Question};
+use crate::narrow::enter;
+use crate::pair::Pair;
+
+/// Whether some point of one solid's skin is shown to lie within the other. No shows nothing.
+#[derive(Debug)]
+pub struct Enters(pub(crate) Pair);
+
+impl Question for Enters {
+    type Answer = bool;
+    const KIND: &'static str = "enters";
+
+    fn key(&self, into: &mut Key) {
+        self.0.key(into);
+    }
+
+    async fn answer(&self, door: &Asker<'_>) -> Result<bool, Failure> {
+        let (first, second, at) = self.0.parts();
+        let (one, two) = (Skin(first), Skin(second));
+        let (one, two) = futures::try_join!(door.ask(&one), door.ask(&two))?;
+        let at = *at;
+        door.work(move || enter(&one, &two, &at)).await
+    }
+}

@@ -1,0 +1,218 @@
+//! The check `freedom`: which motions the mates leave, by name, what they hold twice, and whether that is
+//! what the specification intends.
+//!
+//! Idle spins, the turning of screws and rings about themselves, are no motions of the machine and are told
+//! apart. What is compared is the number of motions that go on beyond the first instant, without those.
+
+use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::freedom::{Freedom, Lasting, analyse};
+use assemcad_model::name::listed;
+use assemcad_model::report::{Finding, Verdict};
+use assemcad_model::spec::Assembly;
+use assemcad_placing::linkage::system;
+use assemcad_placing::{Placements, Resolved};
+use serde_json::{Map, json};
+
+use crate::results::Results;
+
+/// How many motions and mates a sentence names; the report has them all.
+const MOST_NAMED: usize = 3;
+
+/// Checks the freedom of an assembly; none where it could not be told.
+pub(crate) fn check(
+    spec: &Assembly,
+    resolved: &Resolved,
+    placements: &Placements,
+    results: &mut Results,
+) -> Option<Freedom> {
+    let cases = resolved.mates.len();
+    let freedom = match system(resolved, placements) {
+        Ok(system) => analyse(&system),
+        Err((mates, d)) => {
+            results.check("freedom", Verdict::Indeterminate, cases, HOW);
+            results.findings.push(Finding {
+                mates,
+                ..finding(Verdict::Indeterminate, d)
+            });
+            return None;
+        }
+    };
+    let (verdict, said, found) = judge(&freedom, spec.intended_mobility);
+    results.check("freedom", verdict, cases, &format!("{HOW}: {said}"));
+    results.findings.extend(found);
+    Some(freedom)
+}
+
+const HOW: &str =
+    "rank of the mates' constraints at the placed pose, finite steps where some are redundant";
+
+/// The verdict, what was found in a sentence, and the finding if there is one.
+fn judge(freedom: &Freedom, intended: Option<u32>) -> (Verdict, String, Option<Finding>) {
+    let open = |message: String| {
+        let d = Diagnostic::error(Code::Indeterminate, "freedom", message);
+        finding(Verdict::Indeterminate, d)
+    };
+    let Some(first_order) = freedom.mobility else {
+        let said = "the number of free motions cannot be told: the constraints are neither clearly dependent \
+                    nor clearly independent at this pose";
+        let found = open(format!("{said}; see the ranks in the report"));
+        return (Verdict::Indeterminate, said.to_owned(), Some(found));
+    };
+    let said = summary(freedom, first_order);
+    let Some(intended) = intended else {
+        let said = format!("{said}; not compared, since no intended_mobility is stated");
+        return (Verdict::Pass, said, None);
+    };
+    let wanted = intended as usize;
+    let Some(lasting) = freedom.lasting_mobility else {
+        let message = format!(
+            "{} intended; {first_order} free at this instant, and whether they go on could not be told",
+            motions(wanted)
+        );
+        let found = with_values(open(message), freedom, intended);
+        return (Verdict::Indeterminate, said, Some(found));
+    };
+    let real = lasting.saturating_sub(freedom.idle_spins);
+    if real == wanted {
+        return (Verdict::Pass, format!("{said}; as intended"), None);
+    }
+    let names = |idle: bool| -> Vec<String> {
+        let chosen = freedom.motions.iter().filter(|m| m.idle == idle);
+        chosen.map(|m| m.name.clone()).collect()
+    };
+    if real < wanted && wanted <= lasting {
+        let message = format!(
+            "{} intended: {real} free, and {lasting} only if these spins of parts about themselves are meant: {}",
+            motions(wanted),
+            brief(&names(true))
+        );
+        let found = with_values(open(message), freedom, intended);
+        return (Verdict::Indeterminate, said, Some(found));
+    }
+    let held: Vec<String> = freedom
+        .redundant
+        .iter()
+        .flat_map(|r| r.mates.clone())
+        .collect();
+    let free = if real == 0 {
+        "nothing moves".to_owned()
+    } else {
+        brief(&names(false))
+    };
+    let d = Diagnostic::error(
+        Code::MobilityDiffers,
+        "assembly.intended_mobility",
+        format!(
+            "{} intended and {real} {} free: {free}",
+            motions(wanted),
+            if real == 1 { "is" } else { "are" }
+        ),
+    )
+    .found(real)
+    .expected(wanted);
+    let d = if real > wanted {
+        d.hint("hold what should not move by a further mate, or state the number that is meant")
+    } else if held.is_empty() {
+        d.hint("leave out the mate that holds what should move, or choose one that leaves it free")
+    } else {
+        d.hint(format!(
+            "leave out what should not hold; {} say again what others say",
+            listed(&held, MOST_NAMED)
+        ))
+    };
+    let found = Finding {
+        mates: if real < wanted { held } else { Vec::new() },
+        ..with_values(finding(Verdict::Fail, d), freedom, intended)
+    };
+    (Verdict::Fail, said, Some(found))
+}
+
+fn summary(freedom: &Freedom, first_order: usize) -> String {
+    let idle = freedom.idle_spins;
+    let mut said = format!("mobility {}", first_order - idle.min(first_order));
+    if idle > 0 {
+        said.push_str(&format!(
+            " and {idle} idle spin{}",
+            if idle == 1 { "" } else { "s" }
+        ));
+    }
+    let motions = freedom.motions.iter().filter(|m| !m.idle);
+    let names: Vec<String> = motions.map(|m| m.name.clone()).collect();
+    if !names.is_empty() {
+        said.push_str(&format!(" ({})", brief(&names)));
+    }
+    let short = |m: &&assemcad_model::freedom::Motion| m.lasting == Lasting::Instantaneous;
+    if freedom.motions.iter().any(|m| short(&m)) {
+        let lasting = freedom.lasting_mobility;
+        let lasting = lasting.map_or("an unknown number".to_owned(), |l| {
+            l.saturating_sub(idle).to_string()
+        });
+        said.push_str(&format!(", of which {lasting} beyond the first instant"));
+    }
+    let redundant: usize = freedom.redundant.iter().map(|r| r.count).sum();
+    if redundant > 0 {
+        let mates: Vec<String> = freedom
+            .redundant
+            .iter()
+            .flat_map(|r| r.mates.clone())
+            .collect();
+        said.push_str(&format!(
+            "; {redundant} redundant among the constraints of {}",
+            listed(&mates, MOST_NAMED)
+        ));
+    }
+    said
+}
+
+fn motions(n: usize) -> String {
+    match n {
+        1 => "1 motion is".to_owned(),
+        n => format!("{n} motions are"),
+    }
+}
+
+/// The first names, and how many more there are.
+fn brief(names: &[String]) -> String {
+    let told = names
+        .iter()
+        .take(MOST_NAMED)
+        .cloned()
+        .collect::<Vec<_>>()
+        .join(" | ");
+    match names.len().saturating_sub(MOST_NAMED) {
+        0 => told,
+        more => format!("{told} | and {more} more"),
+    }
+}
+
+fn finding(verdict: Verdict, diagnostic: Diagnostic) -> Finding {
+    Finding {
+        verdict,
+        check: "freedom".to_owned(),
+        parts: Vec::new(),
+        mates: Vec::new(),
+        axioms: Vec::new(),
+        values: Map::new(),
+        diagnostic,
+    }
+}
+
+fn with_values(mut finding: Finding, freedom: &Freedom, intended: u32) -> Finding {
+    let redundant: usize = freedom.redundant.iter().map(|r| r.count).sum();
+    for (name, value) in [
+        ("intended_mobility", json!(intended)),
+        ("mobility_with_idle_spins", json!(freedom.mobility)),
+        (
+            "lasting_mobility_with_idle_spins",
+            json!(freedom.lasting_mobility),
+        ),
+        ("idle_spins", json!(freedom.idle_spins)),
+        ("redundant_constraints", json!(redundant)),
+    ] {
+        finding.values.insert(name.to_owned(), value);
+    }
+    finding
+}
+
+#[cfg(test)]
+mod tests;
