@@ -51,4 +51,16 @@ rust::Vec<std::uint8_t> classify(const Solid& solid, Reals points, double tolera
   return out;
 }
 
+BoresRaw bores(const Solid& solid, const At& from, double radius, double depth) {
+  BoresRaw out;
+  const auto found = Sides::find(shape_of(solid))->bores(gp_Lin(pnt(from.origin), dir(from.z)), radius, depth);
+  out.known = found.has_value();
+  if (found) {
+    for (const double end : *found) {
+      out.ends.push_back(end);
+    }
+  }
+  return out;
+}
+
 }  // namespace assemcad

@@ -75,6 +75,7 @@ using StepDocPtr = std::unique_ptr<StepDoc>;
 struct At;
 struct Pose;
 struct BoundsRaw;
+struct BoresRaw;
 struct MassRaw;
 struct CheckRaw;
 struct FaceRaw;
@@ -108,6 +109,7 @@ BoundsRaw bounds(const Solid& solid, const Pose& pose);
 MassRaw mass(const Solid& solid);
 CheckRaw check(const Solid& solid);
 rust::Vec<std::uint8_t> classify(const Solid& solid, Reals points, double tolerance);
+BoresRaw bores(const Solid& solid, const At& from, double radius, double depth);
 
 // facts.cpp
 rust::Vec<FaceRaw> faces(const Solid& solid);

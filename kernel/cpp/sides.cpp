@@ -40,6 +40,11 @@ constexpr double CLOSE = 1e-7;
 // How many times the tolerance a crossing of a free-form face has to be away from the point.
 constexpr double AWAY = 10.0;
 
+// A direction may be turned by this and is still square to a face, and what a hole has nothing to do with is
+// farther from it than this, in mm.
+constexpr double SQUARE = 1e-9;
+constexpr double BESIDE = 1e-3;
+
 // Directions of no part's symmetry, each far from the others.
 const std::array<gp_Dir, 5>& ways() {
   static const std::array<gp_Dir, 5> all{
@@ -175,6 +180,24 @@ struct Sides::Wall {
     }
     const double most = by * std::max(1.0, 1.0 / surface.Cylinder().Radius());
     return trim->TestOnRestriction(gp_Pnt2d(uv), most, Standard_True) == TopAbs_OUT;
+  }
+
+  // Whether a hole has nothing to do with the face: for sure, not wherever it is so.
+  bool misses(const gp_Lin& axis, double radius) const {
+    const gp_XYZ d = axis.Direction().XYZ(), p = axis.Location().XYZ();
+    if (type == GeomAbs_Plane) {
+      const gp_Ax3 own = surface.Plane().Position();
+      const gp_XYZ normal = own.Direction().XYZ();
+      return std::abs(normal.Dot(d)) < SQUARE &&
+             std::abs((p - own.Location().XYZ()).Dot(normal)) > radius + BESIDE;
+    }
+    if (type == GeomAbs_Cylinder) {
+      const gp_Ax3 own = surface.Cylinder().Position();
+      const double apart = axis.Distance(own.Location());
+      return own.Direction().XYZ().Crossed(d).Modulus() < SQUARE &&
+             std::abs(apart - surface.Cylinder().Radius()) > radius + BESIDE;
+    }
+    return false;
   }
 
   // How far a point is from the surface, borders aside.
@@ -395,6 +418,70 @@ Sides::Side Sides::of(const gp_Pnt& at, double tolerance) {
     plain = false;
   }
   return asked(at, tolerance);
+}
+
+std::optional<std::vector<double>> Sides::bores(const gp_Lin& axis, double radius, double depth) {
+  const gp_XYZ p = axis.Location().XYZ(), d = axis.Direction().XYZ();
+  // The hole's box: of its axis, wider by the radius.
+  Bnd_Box around;
+  around.Add(gp_Pnt(p));
+  around.Add(gp_Pnt(p + depth * d));
+  around.Enlarge(radius + BESIDE);
+  std::vector<std::pair<double, bool>> met;
+  for (const auto& wall : walls) {
+    const auto& b = wall->box;
+    Bnd_Box own;
+    own.Update(b[0], b[1], b[2], b[3], b[4], b[5]);
+    if (around.IsOut(own) || wall->misses(axis, radius)) {
+      continue;
+    }
+    if (!plain || wall->type != GeomAbs_Plane) {
+      return std::nullopt;
+    }
+    const gp_Pln plane = wall->surface.Plane();
+    gp_XYZ normal = plane.Position().XDirection().XYZ().Crossed(plane.Position().YDirection().XYZ());
+    if (wall->face.Orientation() == TopAbs_REVERSED) {
+      normal.Reverse();
+    }
+    if (normal.Crossed(d).Modulus() > SQUARE) {
+      return std::nullopt;
+    }
+    const double at = (plane.Location().XYZ() - p).Dot(normal) / d.Dot(normal);
+    const gp_XY uv = wall->place(gp_Pnt(p + at * d));
+    const Within within = wall->holds(uv);
+    if (within == Within::UNSURE || !wall->clear(uv, radius + BESIDE)) {
+      return std::nullopt;
+    }
+    if (within == Within::YES) {
+      met.emplace_back(at, normal.Dot(d) > 0.0);
+    }
+  }
+  std::sort(met.begin(), met.end());
+  std::vector<double> out;
+  const auto stretch = [&](double from, double to) {
+    if (to - from > CLOSE) {
+      out.push_back(from);
+      out.push_back(to);
+    }
+  };
+  // Where nothing is met, the hole is all in the material or all out of it.
+  bool in = met.empty() ? of(gp_Pnt(p + 0.5 * depth * d), CLOSE) == INSIDE : met.front().second;
+  double from = 0.0;
+  for (const auto& [at, leaves] : met) {
+    if (leaves != in) {
+      return std::nullopt;
+    }
+    const double to = std::clamp(at, 0.0, depth);
+    if (in) {
+      stretch(from, to);
+    }
+    in = !in;
+    from = to;
+  }
+  if (in) {
+    stretch(from, depth);
+  }
+  return out;
 }
 
 Sides::Side Sides::asked(const gp_Pnt& at, double tolerance) {

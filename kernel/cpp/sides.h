@@ -31,6 +31,10 @@ class Sides {
   // Points nearer to the surface than `tolerance` are on it.
   Side of(const gp_Pnt& at, double tolerance);
 
+  // Where a round hole from a point along a line, a depth deep, goes through material: lengths from the
+  // point, from and to by turns. None where anything but plane faces square to it lies in its way.
+  std::optional<std::vector<double>> bores(const gp_Lin& axis, double radius, double depth);
+
   // The one of a solid that was asked about lately, or a new one.
   static std::shared_ptr<Sides> find(const TopoDS_Shape& solid);
 

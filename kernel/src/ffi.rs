@@ -28,6 +28,12 @@ pub mod bridge {
     }
 
     #[derive(Debug)]
+    struct BoresRaw {
+        known: bool,
+        ends: Vec<f64>,
+    }
+
+    #[derive(Debug)]
     struct MassRaw {
         volume: f64,
         area: f64,
@@ -188,6 +194,7 @@ pub mod bridge {
         fn mass(solid: &Solid) -> Result<MassRaw>;
         fn check(solid: &Solid) -> Result<CheckRaw>;
         fn classify(solid: &Solid, points: &[f64], tolerance: f64) -> Result<Vec<u8>>;
+        fn bores(solid: &Solid, from: &At, radius: f64, depth: f64) -> Result<BoresRaw>;
         fn faces(solid: &Solid) -> Result<Vec<FaceRaw>>;
         fn edges(solid: &Solid) -> Result<Vec<EdgeRaw>>;
         fn distance(a: &Solid, at_a: &Pose, b: &Solid, at_b: &Pose) -> Result<DistanceRaw>;

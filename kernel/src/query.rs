@@ -1,12 +1,12 @@
 //! What can be asked of one solid: extent, mass, validity, which side a point is on.
 
-use assemcad_model::frame::Placement;
+use assemcad_model::frame::{Frame, Placement};
 use serde::{Deserialize, Serialize};
 
 use crate::error::{Context, KernelError, Result};
 use crate::ffi::bridge;
 use crate::limits::{SMALLEST, coordinates, length};
-use crate::shape::{Shape, pose};
+use crate::shape::{Shape, frame, pose};
 
 /// A box along the world's axes, in mm.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
@@ -229,5 +229,21 @@ impl Shape {
                 _ => Side::Boundary,
             })
             .collect())
+    }
+
+    /// Where a round hole goes through material: from and to, in mm from its mouth, which is the origin of
+    /// `from`; it goes along z. None where anything but plane faces square to it lies in its way: then only
+    /// a boolean tells.
+    pub(crate) fn bores(
+        &self,
+        from: &Frame,
+        radius: f64,
+        depth: f64,
+    ) -> Result<Option<Vec<(f64, f64)>>> {
+        let found = bridge::bores(self.solid()?, &frame(from)?, radius, depth)
+            .context(|| "the way of the hole could not be found".to_owned())?;
+        let pairs = found.ends.chunks_exact(2);
+        let pairs = pairs.filter_map(|pair| Some((*pair.first()?, *pair.last()?)));
+        Ok(found.known.then(|| pairs.collect()))
     }
 }

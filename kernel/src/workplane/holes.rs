@@ -2,7 +2,7 @@
 
 use std::rc::Rc;
 
-use assemcad_model::frame::Placement;
+use assemcad_model::frame::{Frame, Placement};
 use assemcad_model::param::clip;
 use assemcad_model::ports::{Port, PortType};
 
@@ -30,10 +30,26 @@ struct Bore {
     end: f64,
 }
 
-/// Where each of some tools takes material away, by pieces, uppermost first.
-///
-/// Tools whose boxes are apart are tried together: to the kernel a solid of many faces costs the more.
-fn pieces(solid: &Shape, tools: &[(Shape, Placement)]) -> Result<Vec<Vec<Bore>>> {
+/// Where a drill takes material away at each of some places, by pieces, uppermost first.
+fn pieces(solid: &Shape, diameter: f64, depth: f64, at: &[Placement]) -> Result<Vec<Vec<Bore>>> {
+    let mut found = Vec::new();
+    for place in at {
+        let down = (*place * Placement::rotation_x(180.0)).frame(&Frame::WORLD);
+        let Some(known) = solid.bores(&down, diameter / 2.0, depth)? else {
+            return drilled(solid, &drill(diameter, depth)?, at);
+        };
+        let known = known.into_iter().map(|(mouth, end)| Bore { mouth, end });
+        found.push(known.collect());
+    }
+    Ok(found)
+}
+
+/// The same by booleans. Tools whose boxes are apart are tried together: what costs is the solid's faces.
+fn drilled(solid: &Shape, plain: &Shape, at: &[Placement]) -> Result<Vec<Vec<Bore>>> {
+    let tools = at
+        .iter()
+        .map(|at| Ok((plain.moved(at)?, *at)))
+        .collect::<Result<Vec<_>>>()?;
     let boxes = tools
         .iter()
         .map(|(tool, _)| tool.bounds())
@@ -56,7 +72,7 @@ fn pieces(solid: &Shape, tools: &[(Shape, Placement)]) -> Result<Vec<Vec<Bore>>>
             found.push(bores(theirs.map(|(piece, _)| piece), at)?);
         }
     } else {
-        for (tool, at) in tools {
+        for (tool, at) in &tools {
             let removed = solid.shared(&[tool], None)?.parts(Topology::Solid)?;
             found.push(bores(removed.iter(), at)?);
         }
@@ -110,14 +126,9 @@ impl Drilled {
     /// Cuts the tool at every place. For each place: the first piece of the plain hole of `diameter`,
     /// and the last one.
     fn cut(&self, tool: &Shape, diameter: f64) -> Result<(Shape, Vec<(Bore, Bore)>)> {
-        let plain = drill(diameter, self.depth)?;
-        let drills = self
-            .at
-            .iter()
-            .map(|at| Ok((plain.moved(at)?, *at)))
-            .collect::<Result<Vec<_>>>()?;
+        let found = pieces(&self.solid, diameter, self.depth, &self.at)?;
         let (mut tools, mut bores) = (Vec::new(), Vec::new());
-        for ((_, at), mut found) in drills.iter().zip(pieces(&self.solid, &drills)?) {
+        for (at, mut found) in self.at.iter().zip(found) {
             // Rounded here: as text, what is a little below 0 would be -0.000.
             let [x, y, z] = at.origin().map(|n| (n * 1e3).round() / 1e3 + 0.0).into();
             let here = format!("the hole at ({x:.3}, {y:.3}, {z:.3})");
@@ -349,4 +360,150 @@ pub(super) fn tapped(args: &Args<'_>) -> Result<Value> {
         port(name, PortType::ThreadInternal, at, found)
     };
     drilled.with_ports(args, &tool, (modelled, 0.0), make, make)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Bore, drill, drilled, pieces};
+    use crate::shape::Shape;
+    use assemcad_model::frame::{Frame, Placement};
+
+    fn cuboid(corner: [f64; 3], size: [f64; 3]) -> Shape {
+        let frame = Frame {
+            origin: corner,
+            ..Frame::WORLD
+        };
+        Shape::cuboid(&frame, size).unwrap()
+    }
+
+    /// A channel open to +x: floor from z = 0 to 4, roof from z = 14 to 20, a bore of 8 mm along z in both.
+    fn channel() -> Shape {
+        let block = cuboid([0.0; 3], [40.0, 30.0, 20.0]);
+        let slot = cuboid([10.0, -1.0, 4.0], [40.0, 32.0, 10.0]);
+        let at = Placement::translation(30.0, 15.0, -1.0);
+        let bore = Shape::cylinder_part(&at, 4.0, 30.0, 360.0).unwrap();
+        block.without(&[&slot, &bore], None).unwrap()
+    }
+
+    /// The pieces of a hole of 3 mm, by lines and by a boolean, where both know them.
+    #[track_caller]
+    fn both(
+        solid: &Shape,
+        at: Placement,
+        depth: f64,
+        expected: &[(f64, f64)],
+        in_closed_form: bool,
+    ) {
+        let down = (at * Placement::rotation_x(180.0)).frame(&Frame::WORLD);
+        let known = solid.bores(&down, 1.5, depth).unwrap();
+        assert_eq!(known.is_some(), in_closed_form);
+        let by_boolean = drilled(solid, &drill(3.0, depth).unwrap(), &[at]).unwrap();
+        let found = pieces(solid, 3.0, depth, &[at]).unwrap();
+        for found in [by_boolean, found] {
+            let found: Vec<(f64, f64)> = found[0]
+                .iter()
+                .map(|Bore { mouth, end }| (*mouth, *end))
+                .collect();
+            assert_eq!(found.len(), expected.len(), "{found:?}");
+            for ((mouth, end), (from, to)) in found.iter().zip(expected) {
+                assert!(
+                    (mouth - from).abs() < 1e-6 && (end - to).abs() < 1e-6,
+                    "{found:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn pieces_by_lines_are_those_of_booleans() {
+        let (solid, over) = (channel(), |x: f64, z: f64| {
+            Placement::translation(x, 8.0, z)
+        });
+        // Through roof and floor, from the top or from 5 mm above.
+        both(
+            &solid,
+            over(20.0, 20.0),
+            50.0,
+            &[(0.0, 6.0), (16.0, 20.0)],
+            true,
+        );
+        both(
+            &solid,
+            over(20.0, 25.0),
+            50.0,
+            &[(5.0, 11.0), (21.0, 25.0)],
+            true,
+        );
+        // To a depth in the roof, in the gap, in the floor.
+        both(&solid, over(20.0, 20.0), 4.0, &[(0.0, 4.0)], true);
+        both(&solid, over(20.0, 20.0), 9.0, &[(0.0, 6.0)], true);
+        both(
+            &solid,
+            over(20.0, 20.0),
+            18.0,
+            &[(0.0, 6.0), (16.0, 18.0)],
+            true,
+        );
+        // From within the roof, from the gap, and nothing at all.
+        both(
+            &solid,
+            over(20.0, 17.0),
+            50.0,
+            &[(0.0, 3.0), (13.0, 17.0)],
+            true,
+        );
+        both(&solid, over(20.0, 10.0), 50.0, &[(6.0, 10.0)], true);
+        both(&solid, over(20.0, 10.0), 5.0, &[], true);
+        both(&solid, over(50.0, 20.0), 50.0, &[], true);
+        // Within the web, between its faces.
+        both(&solid, over(5.0, 18.0), 10.0, &[(0.0, 10.0)], true);
+        // Within the bore, about its axis.
+        let axis = Placement::translation(30.0, 15.0, 20.0);
+        both(&solid, axis, 50.0, &[], true);
+    }
+
+    #[test]
+    fn what_is_in_the_way_is_left_to_booleans() {
+        let solid = channel();
+        // On the web's edge, on the rim of the plate, on the wall of the bore.
+        both(
+            &solid,
+            Placement::translation(10.0, 8.0, 20.0),
+            50.0,
+            &[(0.0, 20.0)],
+            false,
+        );
+        both(
+            &solid,
+            Placement::translation(20.0, 0.0, 20.0),
+            50.0,
+            &[(0.0, 6.0), (16.0, 20.0)],
+            false,
+        );
+        both(
+            &solid,
+            Placement::translation(26.0, 15.0, 20.0),
+            50.0,
+            &[(0.0, 6.0), (16.0, 20.0)],
+            false,
+        );
+        // A ball has no plane faces.
+        let ball = Shape::sphere(&Frame::WORLD, 10.0).unwrap();
+        let half = (100.0_f64).sqrt();
+        both(
+            &ball,
+            Placement::translation(0.0, 0.0, 12.0),
+            50.0,
+            &[(2.0, 12.0 + half)],
+            false,
+        );
+    }
+
+    #[test]
+    fn moved_solids_are_drilled_alike() {
+        let way = Placement::rotation_about([1.0, 2.0, 3.0], [1.0, -2.0, 0.5], 37.0).unwrap();
+        let solid = channel().moved(&way).unwrap();
+        let at = way * Placement::translation(20.0, 8.0, 20.0);
+        both(&solid, at, 50.0, &[(0.0, 6.0), (16.0, 20.0)], true);
+    }
 }
