@@ -1,0 +1,3 @@
+"""Machines that are less regular than the joint."""
+
+MACHINES = {}
