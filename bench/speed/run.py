@@ -106,7 +106,7 @@ def size(parts, options):
         _, row["again_s"], row["again_calls"] = session.call("verify", assembly=name)
         joint.lengthen(session, parts)
         changed, row["changed_s"], row["changed_calls"] = session.call("verify", assembly=name)
-        if changed["verdict"] != "pass":
+        if row["verdict"] == "pass" and changed["verdict"] != "pass":
             row["verdict"] = f"{changed['verdict']} after the change"
 
     server(options.binary, joint.draft(parts), options.limit, row, more)
