@@ -1,5 +1,5 @@
 # The two commands of the README: `make demo` and `make test`. Both set up what they need.
-.PHONY: setup demo test test-factories fuzz peers-cadquery lint clean
+.PHONY: setup demo test test-factories fuzz peers-cadquery speed lint clean
 CARGO ?= cargo
 
 demo: setup
@@ -29,6 +29,15 @@ peers-cadquery: setup
 	$(PEERS)/.venv/bin/python $(PEERS)/coverage.py
 	$(PEERS)/.venv/bin/python $(PEERS)/golden.py --check
 	$(CARGO) test --quiet -p assemcad-factories --test cadquery -- --nocapture
+
+# The server and CadQuery on the same assemblies, one after the other: docs/speed.md. Best on a machine that has
+# nothing else to do: `make speed SPEED='--sizes 18,50 --machines gears'` for some of it.
+SPEED =
+speed: setup
+	python3 -m venv bench/speed/.venv
+	bench/speed/.venv/bin/pip install --quiet -r $(PEERS)/requirements.txt
+	$(CARGO) build --quiet --release -p assemcad --bin assemcad
+	bench/speed/.venv/bin/python bench/speed/run.py $(SPEED)
 
 setup:
 	@scripts/setup
