@@ -94,6 +94,7 @@ mod tests {
             source: Source::Memory,
             volume: 1.0,
             area: 1.0,
+            inertia: [[0.0; 3]; 3],
             centre: [0.0; 3],
             min,
             max,
