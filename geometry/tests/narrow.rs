@@ -1,6 +1,14 @@
 //! What is decided from skins alone, held against the kernel's booleans on two thousand placed pairs: touching,
 //! one micrometre apart, one micrometre overlapping, inside each other, and anywhere.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    clippy::print_stdout
+)]
+
 use assemcad_geometry::narrow::{Boundary, Common, common};
 use assemcad_kernel::Shape;
 use assemcad_kernel::brep::Topology;

@@ -1,5 +1,13 @@
 //! Areas of contact from skins, held against closed forms and the kernel's booleans of faces.
 
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::indexing_slicing,
+    clippy::print_stdout
+)]
+
 use core::f64::consts::PI;
 
 use assemcad_geometry::narrow::{Boundary, touch};

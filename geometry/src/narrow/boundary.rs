@@ -201,10 +201,14 @@ pub(super) fn aabb(points: &[V]) -> Aabb {
 /// By how much pieces of a face may reach beyond their triangles along the surface: where straight lines and,
 /// on cylinders and cones, circles bound it, by nothing.
 fn bulge(skin: &Skin, face: &SkinFace) -> f64 {
-    let exact = |curve: &SkinCurve| match (curve, &face.surface) {
-        (SkinCurve::Line | SkinCurve::Point, _) => true,
-        (SkinCurve::Circle { .. }, SkinSurface::Cylinder { .. } | SkinSurface::Cone { .. }) => true,
-        _ => false,
+    let round = matches!(
+        face.surface,
+        SkinSurface::Cylinder { .. } | SkinSurface::Cone { .. }
+    );
+    let exact = |curve: &SkinCurve| match curve {
+        SkinCurve::Line | SkinCurve::Point => true,
+        SkinCurve::Circle { .. } => round,
+        SkinCurve::Other => false,
     };
     let mut edges = face
         .edges

@@ -371,7 +371,7 @@ mod tests {
     #[test]
     fn a_lens_and_a_half_circle_have_their_closed_forms() {
         // Two circles of radius 5, 6 apart: 2 r^2 acos(d / 2r) - d/2 sqrt(4 r^2 - d^2).
-        let lens = 50.0 * 0.6_f64.acos() - 3.0 * 8.0;
+        let lens = 50.0 * libm::acos(0.6) - 3.0 * 8.0;
         near(
             common_area(&vec![circle(0.0, 0.0, 5.0)], &vec![circle(6.0, 0.0, 5.0)]),
             lens,

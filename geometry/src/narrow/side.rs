@@ -16,9 +16,9 @@ pub(super) fn outside(of: &Patch<'_>, piece: &Patch<'_>) -> bool {
             origin,
             axis,
             radius,
-            slope,
+            slope: 0.0,
             ..
-        } if slope == 0.0 => match of.hollow() {
+        } => match of.hollow() {
             true => below(piece.farthest_from_line(&origin, &axis), radius),
             false => above(piece.nearest_to_line(&origin, &axis), radius),
         },
