@@ -53,6 +53,45 @@ fn goes_on(kit: &mut Kit) {
 }
 
 #[test]
+fn what_was_answered_needs_no_kernel() {
+    let mut kit = kit(&["--workers", "2"]);
+    kit.part("a", "plate", "base_frame.rect_plate", json!({}));
+    kit.mate(json!({
+        "assembly": "a", "id": "on", "mate_type": "face_to_face",
+        "base": "plate:top_face", "incoming": "first:bottom",
+    }));
+    let ask = |kit: &mut Kit, tau: f64| {
+        let arguments = json!({"assembly": "a", "tau_mm3": tau, "detail": "full"});
+        let mut report = kit.ok("verify", arguments);
+        let fields = report.as_object_mut().unwrap();
+        fields.retain(|name, _| ["verdict", "parts", "pairs", "mates"].contains(&name.as_str()));
+        report
+    };
+    let before = ask(&mut kit, 0.001);
+    let server = kit.session.pid();
+    assert!(!workers(server).is_empty());
+    for pid in workers(server) {
+        kill_process(Pid::from_raw(pid as i32).unwrap(), Signal::KILL).unwrap();
+    }
+    let until = Instant::now() + Duration::from_secs(20);
+    while !workers(server).is_empty() && Instant::now() < until {
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    // The same again, and folded anew under other terms: nobody has to be asked.
+    for tau in [0.001, 0.002] {
+        assert_eq!(ask(&mut kit, tau), before);
+    }
+    let alive = |pid: &u32| {
+        let stat = std::fs::read_to_string(format!("/proc/{pid}/stat")).unwrap_or_default();
+        !stat.contains(") Z ") && !stat.is_empty()
+    };
+    assert_eq!(workers(server).iter().filter(|p| alive(p)).count(), 0);
+    // A changed part is a new question.
+    kit.part("a", "other", "base_frame.rect_plate", json!({"length": 77}));
+    assert!(workers(server).iter().any(alive));
+}
+
+#[test]
 fn a_worker_killed_in_the_middle_of_a_request() {
     for signal in [Signal::KILL, Signal::ABORT] {
         let mut kit = kit(&["--workers", "2"]);

@@ -32,7 +32,10 @@ pub fn run(settings: Settings) -> io::Result<()> {
         cpu_s: settings.cpu_s,
         ..Limits::default()
     };
-    assemcad_workers::serve::<KernelWork>(limits, jobs::Bench::new(settings.cache))
+    assemcad_workers::serve::<KernelWork>(
+        limits,
+        jobs::Bench::new(settings.cache, settings.memory_mb),
+    )
 }
 
 impl Handler<KernelWork> for jobs::Bench {
@@ -42,4 +45,17 @@ impl Handler<KernelWork> for jobs::Bench {
             _ => Refusal::Refused(error.message),
         })
     }
+
+    /// Solids and triangles of earlier jobs, and what the kernel never gives back, are not to be the next job's
+    /// trouble.
+    fn is_fit(&self) -> bool {
+        address_space().is_none_or(|used| used < self.most_bytes)
+    }
+}
+
+/// The address space of this process in bytes, where the system tells.
+fn address_space() -> Option<u64> {
+    let text = std::fs::read_to_string("/proc/self/statm").ok()?;
+    let pages: u64 = text.split_whitespace().next()?.parse().ok()?;
+    pages.checked_mul(u64::try_from(rustix::param::page_size()).ok()?)
 }
