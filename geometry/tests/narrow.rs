@@ -9,7 +9,7 @@
     clippy::print_stdout
 )]
 
-use assemcad_geometry::narrow::{Boundary, Common, common};
+use assemcad_geometry::narrow::{Boundary, Common, common, enter};
 use assemcad_kernel::Shape;
 use assemcad_kernel::brep::Topology;
 use assemcad_kernel::pair;
@@ -142,7 +142,8 @@ fn place(n: &mut Numbers) -> Placement {
 fn nothing_in_common_is_never_said_of_solids_that_have() {
     let all = solids();
     let mut n = Numbers(0x5EED);
-    let (mut free, mut decided, mut open) = (0, 0, std::collections::BTreeMap::new());
+    let (mut free, mut decided, mut entered) = (0, 0, 0);
+    let mut open = std::collections::BTreeMap::new();
     for _ in 0..2000 {
         let (a, b) = (&all[n.below(all.len())], &all[n.below(all.len())]);
         // Somewhere in the world, so that the numbers are not round.
@@ -155,6 +156,17 @@ fn nothing_in_common_is_never_said_of_solids_that_have() {
         let sampled = pair::sampled_common(&a.shape, &world, &b.shape, &(world * at), 200).unwrap();
         let empty = exact.as_ref().is_ok_and(|e| e.volume <= 1e-6) && sampled.inside == 0;
         free += usize::from(empty);
+        if enter(&a.boundary, &b.boundary, &at) {
+            entered += 1;
+            assert!(
+                // Of a ring in a headed pin, crosswise, the boolean finds nothing, and the points do.
+                found == Common::Open
+                    && (sampled.inside > 0 || exact.as_ref().is_ok_and(|e| e.volume > 1e-6)),
+                "{} and {} at {at:?}: {exact:?}, {sampled:?}",
+                a.name,
+                b.name
+            );
+        }
         if found == Common::Nothing {
             decided += 1;
             assert!(
@@ -167,6 +179,69 @@ fn nothing_in_common_is_never_said_of_solids_that_have() {
             *open.entry((a.name, b.name)).or_insert(0) += 1;
         }
     }
-    println!("{decided} of {free} decided; open: {open:?}");
-    assert!(decided * 100 >= free * 80, "{decided} of {free}: {open:?}");
+    println!("{decided} of {free} decided, {entered} seen to enter; open: {open:?}");
+    // Of those that are in each other by more than a micrometre nearly all show it by a point.
+    assert!(
+        entered * 100 >= (2000 - free) * 70,
+        "{entered} of {}",
+        2000 - free
+    );
+    assert!(decided * 100 >= free * 95, "{decided} of {free}: {open:?}");
+}
+
+/// How long skins and what is decided from them take: `cargo test -p assemcad-geometry --release --test narrow
+/// timings -- --ignored --nocapture`.
+#[test]
+#[ignore = "a measurement"]
+fn timings() {
+    let wall = std::time::Instant::now;
+    let holes: Vec<Shape> = (0..250)
+        .map(|n| {
+            let (sin, cos) = libm::sincos(f64::from(n) * core::f64::consts::TAU / 250.0);
+            let place = at(1000.0 * cos, 1000.0 * sin, -1.0);
+            Shape::cylinder(&place, 4.5, 14.0).unwrap()
+        })
+        .collect();
+    let ring = cut(
+        &Shape::cylinder(&at(0.0, 0.0, 0.0), 1025.0, 12.0).unwrap(),
+        &Shape::cylinder(&at(0.0, 0.0, -1.0), 975.0, 14.0).unwrap(),
+    );
+    let flange = one(&ring
+        .without(&holes.iter().collect::<Vec<_>>(), None)
+        .unwrap());
+    let begun = wall();
+    let skin = flange.skin(0.02, 10.0).unwrap();
+    println!(
+        "skin of a flange: {:?}, {} triangles",
+        begun.elapsed(),
+        skin.triangles.len()
+    );
+    let begun = wall();
+    let flange = Boundary::new(skin).unwrap();
+    println!("made ready: {:?}", begun.elapsed());
+    let washer = cut(&rod(0.0, 8.0, 1.6), &rod(-1.0, 4.2, 4.0));
+    let bolt = one(&rod(0.0, 4.0, 45.0)
+        .fused(&[&rod(-5.3, 6.5, 5.3)], false, None)
+        .unwrap());
+    for (name, shape, z) in [("washer", washer, 12.0), ("bolt", bolt, -0.0)] {
+        let boundary = Boundary::new(shape.skin(0.002, 10.0).unwrap()).unwrap();
+        let begun = wall();
+        for n in 0..250 {
+            let deg = f64::from(n) * 360.0 / 250.0;
+            let place = Placement::rotation_z(deg) * Placement::translation(1000.0, 0.0, z);
+            assert_eq!(
+                common(&flange, &boundary, &place),
+                Common::Nothing,
+                "{name}"
+            );
+        }
+        println!("250 times flange and {name}: {:?}", begun.elapsed());
+    }
+    let begun = wall();
+    let up = Placement::translation(0.0, 0.0, 12.0);
+    println!(
+        "flange on flange: {:?} {:?}",
+        common(&flange, &flange, &up),
+        begun.elapsed()
+    );
 }

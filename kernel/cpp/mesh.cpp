@@ -58,6 +58,7 @@ MeshRaw mesh(const Solid& solid, double deflection, double angle) {
   parameters.Deflection = deflection;
   parameters.Angle = angle;
   parameters.InParallel = Standard_False;
+  parameters.MeshAlgo = IMeshTools_MeshAlgoType_Delabella;
   BRepMesh_IncrementalMesh mesher(shape, parameters);
   if (!mesher.IsDone()) {
     throw Invalid("it could not be meshed");

@@ -226,6 +226,7 @@ SkinRaw skin(const Solid& solid, double deflection, double angle) {
   parameters.Deflection = deflection;
   parameters.Angle = angle;
   parameters.InParallel = Standard_False;
+  parameters.MeshAlgo = IMeshTools_MeshAlgoType_Delabella;
   BRepMesh_IncrementalMesh mesher(shape, parameters);
   if (!mesher.IsDone()) {
     throw Invalid("it could not be meshed");

@@ -5,7 +5,7 @@ use assemcad_model::frame::Placement;
 
 use super::skin::Skin;
 use crate::door::{Asker, Key, Question, nonsense};
-use crate::narrow::{Common, common};
+use crate::narrow::{Common, common, enter};
 use crate::pair::Pair;
 use crate::pose;
 
@@ -35,7 +35,8 @@ impl Question for Overlap {
 
     async fn answer(&self, door: &Asker<'_>) -> Result<CommonVolume, Failure> {
         let (first, second, at) = self.pair.parts();
-        if nothing_in_common(door, first, second, at).await? {
+        let shown = shown(door, first, second, at).await?;
+        if shown == Shown::Apart {
             return Ok(CommonVolume {
                 volume: 0.0,
                 place: None,
@@ -57,26 +58,50 @@ impl Question for Overlap {
             samples: self.samples,
         };
         match door.kernel(&job).await? {
-            (Reply::CommonVolume(volume), _) => Ok(volume),
+            (Reply::CommonVolume(mut found), _) => {
+                // A boolean may be wrong and say nothing.
+                if shown == Shown::Within && found.volume <= 0.0 {
+                    found.warnings.push(
+                        "points of one solid's skin lie within the other, where it finds nothing"
+                            .to_owned(),
+                    );
+                }
+                Ok(found)
+            }
             _ => Err(nonsense()),
         }
     }
 }
 
-/// Whether the skins show that there is nothing in common. A solid whose skin cannot be had shows nothing.
-async fn nothing_in_common(
+/// What two skins show.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Shown {
+    /// That there is nothing in common.
+    Apart,
+    /// That there is something, however small.
+    Within,
+    /// Neither.
+    Nothing,
+}
+
+/// What the skins show. A solid whose skin cannot be had shows nothing.
+async fn shown(
     door: &Asker<'_>,
     first: &Named,
     second: &Named,
     at: &Placement,
-) -> Result<bool, Failure> {
+) -> Result<Shown, Failure> {
     let (one, two) = (Skin(first), Skin(second));
     let (Ok(one), Ok(two)) = futures::join!(door.ask(&one), door.ask(&two)) else {
-        return Ok(false);
+        return Ok(Shown::Nothing);
     };
     let at = *at;
-    let found = door.work(move || common(&one, &two, &at)).await?;
-    Ok(found == Common::Nothing)
+    door.work(move || match common(&one, &two, &at) {
+        Common::Nothing => Shown::Apart,
+        Common::Open if enter(&one, &two, &at) => Shown::Within,
+        Common::Open => Shown::Nothing,
+    })
+    .await
 }
 
 /// Puts where something is from the frame of a pair's first solid into the world.
