@@ -17,13 +17,13 @@ fn in_box(p: [f64; 3], low: [f64; 3], high: [f64; 3]) -> f64 {
 }
 
 fn in_rod(p: [f64; 3], x: f64, y: f64, radius: f64) -> f64 {
-    radius - (p[0] - x).hypot(p[1] - y)
+    radius - libm::hypot(p[0] - x, p[1] - y)
 }
 
 fn drilled(p: [f64; 3]) -> f64 {
     let plate = in_box(p, [0.0; 3], [40.0, 30.0, 10.0]);
     let holes = [(8.0, 8.0, 3.0), (30.0, 15.0, 6.0)].map(|(x, y, r)| -in_rod(p, x, y, r));
-    let across = (p[1] - 22.0).hypot(p[2] - 5.0) - 2.0;
+    let across = libm::hypot(p[1] - 22.0, p[2] - 5.0) - 2.0;
     plate.min(holes[0]).min(holes[1]).min(across)
 }
 
@@ -33,16 +33,16 @@ fn hollow(p: [f64; 3]) -> f64 {
 
 fn cone(p: [f64; 3]) -> f64 {
     // From radius 10 at z = 0 to 4 at z = 8: the wall's normal is (8, 6) / 10.
-    let wall = ((10.0 - p[0].hypot(p[1])) * 8.0 - p[2] * 6.0) / 10.0;
+    let wall = ((10.0 - libm::hypot(p[0], p[1])) * 8.0 - p[2] * 6.0) / 10.0;
     wall.min(p[2]).min(8.0 - p[2])
 }
 
 fn torus(p: [f64; 3]) -> f64 {
-    3.0 - (p[0].hypot(p[1]) - 12.0).hypot(p[2])
+    3.0 - libm::hypot(libm::hypot(p[0], p[1]) - 12.0, p[2])
 }
 
 fn ball_on_a_rod(p: [f64; 3]) -> f64 {
-    let ball = 7.0 - p[0].hypot(p[1]).hypot(p[2]);
+    let ball = 7.0 - libm::hypot(libm::hypot(p[0], p[1]), p[2]);
     ball.max(in_rod(p, 0.0, 0.0, 3.0).min(p[2]).min(15.0 - p[2]))
 }
 
@@ -50,17 +50,17 @@ fn ball_on_a_rod(p: [f64; 3]) -> f64 {
 fn saw(p: [f64; 3]) -> f64 {
     let share = (p[0] / 2.0).fract() * 2.0;
     let height = 5.0 + 1.5 * (1.0 - (share - 1.0).abs());
-    let slope = 1.5_f64.hypot(1.0);
+    let slope = libm::hypot(1.5, 1.0);
     in_box(p, [0.0, 0.0, 0.0], [60.0, 9.0, 4.0]).min((height - p[1]) / slope)
 }
 
 fn cam_radius(angle: f64) -> f64 {
-    30.0 + 6.0 * (1.0 - angle.cos())
+    30.0 + 6.0 * (1.0 - libm::cos(angle))
 }
 
 /// The spline through the points is nearer to the curve than 1e-3; its slope is less than 0.2.
 fn cam(p: [f64; 3]) -> f64 {
-    let wall = (cam_radius(p[1].atan2(p[0])) - p[0].hypot(p[1])) / 1.05;
+    let wall = (cam_radius(libm::atan2(p[1], p[0])) - libm::hypot(p[0], p[1])) / 1.05;
     let bore = -in_rod(p, 0.0, 0.0, 8.0);
     let side = (wall.abs() - 1e-3).max(0.0).copysign(wall);
     side.min(bore).min(p[2]).min(10.0 - p[2])
@@ -83,7 +83,7 @@ fn disk_cam() -> Shape {
         .map(|i| {
             let angle = f64::from(i) * core::f64::consts::TAU / 72.0;
             let r = cam_radius(angle);
-            [r * angle.cos(), r * angle.sin(), 0.0]
+            [r * libm::cos(angle), r * libm::sin(angle), 0.0]
         })
         .collect();
     let spline = Spline {
@@ -213,7 +213,7 @@ fn what_is_nearer_to_the_surface_than_the_tolerance_is_on_it() {
     let cone = Shape::cone(&at(0.0, 0.0, 0.0), 10.0, 4.0, 8.0).unwrap();
     let torus = Shape::torus(&Placement::IDENTITY, 12.0, 3.0).unwrap();
     let ball = Shape::sphere(&at(0.0, 0.0, 0.0), 7.0).unwrap();
-    let (sin, cos) = 0.7_f64.sin_cos();
+    let (sin, cos) = libm::sincos(0.7);
     // A point of the surface and the way out of the material there.
     let on: [(&Shape, [f64; 3], [f64; 3]); 8] = [
         (&plate, [3.0, 4.0, 10.0], [0.0, 0.0, 1.0]),
