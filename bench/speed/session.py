@@ -90,6 +90,7 @@ class Session(Process):
         self.limit = limit
         self.next = 0
         self.answers = queue.Queue()
+        self.calls_before = 0
         self.log = queue.Queue()
         super().__init__(
             [binary, "serve", "--root", str(root), "--factories", str(factories)],
@@ -151,8 +152,11 @@ class Session(Process):
         return content, took
 
     def kernel_calls(self):
-        """How often the last call has asked the kernel; None where that is not logged."""
-        calls = None
+        """How often the kernel was asked since this was asked last; None where that is not logged.
+
+        The server counts from its start on.
+        """
+        total = None
         until = time.perf_counter() + LATE
         while (left := until - time.perf_counter()) > 0:
             try:
@@ -162,5 +166,8 @@ class Session(Process):
             if line is None:
                 break
             if found := GEOMETRY.search(COLOUR.sub("", line)):
-                calls = int(found[1])
+                total = int(found[1])
+        if total is None:
+            return None
+        calls, self.calls_before = total - self.calls_before, total
         return calls
