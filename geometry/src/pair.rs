@@ -1,10 +1,17 @@
 //! Two solids in their places, as one question wherever they stand.
 
-use assemcad_kernel::protocol::{Named, Placed};
+use std::sync::Arc;
+
+use assemcad_kernel::protocol::{Failure, Named, Placed};
 use assemcad_model::frame::Placement;
 
-use crate::door::Key;
+use crate::door::{Asker, Key};
+use crate::narrow::Boundary;
 use crate::pose::{before, numbers, relative};
+use crate::questions::skin::Skin;
+
+/// The skins of a pair's two solids.
+type Skins = (Arc<Boundary>, Arc<Boundary>);
 
 /// A solid in its place.
 #[derive(Debug, Clone)]
@@ -53,8 +60,28 @@ impl Pair {
         (pair, exchanged)
     }
 
-    pub(crate) fn parts(&self) -> (&Named, &Named, &Placement) {
-        (&self.first, &self.second, &self.at)
+    /// The two as a job of the kernel has them: the first at the origin.
+    pub(crate) fn placed(&self) -> [Box<Placed>; 2] {
+        let of = |solid: &Named, at: &Placement| {
+            Box::new(Placed {
+                recipe: solid.clone(),
+                placement: (*at).into(),
+            })
+        };
+        [
+            of(&self.first, &Placement::IDENTITY),
+            of(&self.second, &self.at),
+        ]
+    }
+
+    /// The skins of both.
+    pub(crate) async fn skins(&self, door: &Asker<'_>) -> Result<Skins, Failure> {
+        let (first, second) = (Skin(&self.first), Skin(&self.second));
+        futures::try_join!(door.ask(&first), door.ask(&second))
+    }
+
+    pub(crate) fn at(&self) -> Placement {
+        self.at
     }
 
     pub(crate) fn key(&self, into: &mut Key) {

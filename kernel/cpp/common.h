@@ -37,6 +37,9 @@ const TopoDS_Shape& shape_of(const Solid& solid);
 // The same shape at another place, nothing copied.
 TopoDS_Shape moved(const Solid& solid, const Pose& pose);
 
+// A copy of the shape with triangles on its faces.
+TopoDS_Shape meshed(const Solid& solid, double deflection, double angle);
+
 // The tight box, without triangulation and without tolerances.
 Bnd_Box tight_box(const TopoDS_Shape& shape);
 BoundsRaw raw_bounds(const Bnd_Box& box);

@@ -1,10 +1,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepBuilderAPI_Copy.hxx>
-#include <BRepMesh_IncrementalMesh.hxx>
 #include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
-#include <IMeshTools_Parameters.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
@@ -219,18 +216,7 @@ SkinEdgeRaw edge_facts(const TopoDS_Edge& edge, const TopTools_ListOfShape& arou
 }  // namespace
 
 SkinRaw skin(const Solid& solid, double deflection, double angle) {
-  // A copy: a mesh left on the shape would be taken for the next one's.
-  const TopoDS_Shape shape =
-      BRepBuilderAPI_Copy(shape_of(solid), Standard_True, Standard_False).Shape();
-  IMeshTools_Parameters parameters;
-  parameters.Deflection = deflection;
-  parameters.Angle = angle;
-  parameters.InParallel = Standard_False;
-  parameters.MeshAlgo = IMeshTools_MeshAlgoType_Delabella;
-  BRepMesh_IncrementalMesh mesher(shape, parameters);
-  if (!mesher.IsDone()) {
-    throw Invalid("it could not be meshed");
-  }
+  const TopoDS_Shape shape = meshed(solid, deflection, angle);
   SkinRaw out;
   TopTools_IndexedMapOfShape edges;
   TopExp::MapShapes(shape, TopAbs_EDGE, edges);

@@ -12,18 +12,21 @@ const SHARE_LEFT: f64 = 0.1;
 /// limit, or the system does not tell what is in use (it does on Linux).
 #[must_use]
 pub(crate) fn nearly_exhausted() -> bool {
-    let Some(limit) = getrlimit(Resource::As).current else {
-        return false;
-    };
-    let pages = std::fs::read_to_string("/proc/self/statm")
-        .ok()
-        .and_then(|text| text.split_whitespace().next()?.parse::<u64>().ok());
+    share_in_use().is_some_and(|share| share > 1.0 - SHARE_LEFT)
+}
+
+/// Which share of the limit on address space is in use; none where there is no limit, or the system does not tell.
+#[must_use]
+pub(crate) fn share_in_use() -> Option<f64> {
+    let limit = getrlimit(Resource::As).current?;
+    let text = std::fs::read_to_string("/proc/self/statm").ok()?;
+    let pages: u64 = text.split_whitespace().next()?.parse().ok()?;
     let page = u64::try_from(rustix::param::page_size()).unwrap_or(4096);
-    let used = pages.unwrap_or(0).saturating_mul(page);
+    let used = pages.saturating_mul(page);
     #[allow(
         clippy::cast_precision_loss,
         reason = "a comparison of sizes needs no last digits"
     )]
     let share = used as f64 / limit.max(1) as f64;
-    share > 1.0 - SHARE_LEFT
+    Some(share)
 }

@@ -15,6 +15,7 @@
 //! edges of both solids do not come near each other, and of every shell some point lies outside the other
 //! solid. Where one of them cannot be shown the answer is open, and the kernel decides.
 
+mod arc;
 mod beside;
 mod boundary;
 mod edgewise;

@@ -1,10 +1,9 @@
 //! Over how much area two placed solids touch in a stated surface.
 
 use assemcad_kernel::contact::{Touch, Where};
-use assemcad_kernel::protocol::{Failure, Job, Placed, Reply};
+use assemcad_kernel::protocol::{Failure, Job, Reply};
 use assemcad_model::frame::Placement;
 
-use super::skin::Skin;
 use crate::door::{Asker, Key, Question, nonsense};
 use crate::narrow::touch;
 use crate::pair::Pair;
@@ -55,25 +54,15 @@ impl Question for Contact {
     }
 
     async fn answer(&self, door: &Asker<'_>) -> Result<Touch, Failure> {
-        let (first, second, at) = self.pair.parts();
-        let (one, two) = (Skin(first), Skin(second));
-        if let (Ok(one), Ok(two)) = futures::join!(door.ask(&one), door.ask(&two)) {
-            let (at, place) = (*at, self.place);
+        if let Ok((one, two)) = self.pair.skins(door).await {
+            let (at, place) = (self.pair.at(), self.place);
             if let Some(found) = door.work(move || touch(&one, &two, &at, &place)).await? {
                 return Ok(found);
             }
         }
-        let job = Job::Contact {
-            a: Box::new(Placed {
-                recipe: first.clone(),
-                placement: Placement::IDENTITY.into(),
-            }),
-            b: Box::new(Placed {
-                recipe: second.clone(),
-                placement: (*at).into(),
-            }),
-            place: self.place,
-        };
+        let [a, b] = self.pair.placed();
+        let place = self.place;
+        let job = Job::Contact { a, b, place };
         match door.kernel(&job).await? {
             (Reply::Contact(touch), _) => Ok(touch),
             _ => Err(nonsense()),

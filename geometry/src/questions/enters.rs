@@ -2,7 +2,6 @@
 
 use assemcad_kernel::protocol::Failure;
 
-use super::skin::Skin;
 use crate::door::{Asker, Key, Question};
 use crate::narrow::enter;
 use crate::pair::Pair;
@@ -20,10 +19,8 @@ impl Question for Enters {
     }
 
     async fn answer(&self, door: &Asker<'_>) -> Result<bool, Failure> {
-        let (first, second, at) = self.0.parts();
-        let (one, two) = (Skin(first), Skin(second));
-        let (one, two) = futures::try_join!(door.ask(&one), door.ask(&two))?;
-        let at = *at;
+        let (one, two) = self.0.skins(door).await?;
+        let at = self.0.at();
         door.work(move || enter(&one, &two, &at)).await
     }
 }

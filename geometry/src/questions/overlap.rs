@@ -1,9 +1,8 @@
 //! What two placed solids have in common.
 
-use assemcad_kernel::protocol::{CommonVolume, Failure, Job, Named, Placed, Reply};
+use assemcad_kernel::protocol::{CommonVolume, Failure, Job, Reply};
 use assemcad_model::frame::Placement;
 
-use super::skin::Skin;
 use crate::door::{Asker, Key, Question, nonsense};
 use crate::narrow::{Common, common, enter};
 use crate::pair::Pair;
@@ -34,8 +33,7 @@ impl Question for Overlap {
     }
 
     async fn answer(&self, door: &Asker<'_>) -> Result<CommonVolume, Failure> {
-        let (first, second, at) = self.pair.parts();
-        let shown = shown(door, first, second, at).await?;
+        let shown = shown(door, &self.pair).await?;
         if shown == Shown::Apart {
             return Ok(CommonVolume {
                 volume: 0.0,
@@ -46,15 +44,10 @@ impl Question for Overlap {
                 sampled_volume: 0.0,
             });
         }
+        let [a, b] = self.pair.placed();
         let job = Job::CommonVolume {
-            a: Box::new(Placed {
-                recipe: first.clone(),
-                placement: Placement::IDENTITY.into(),
-            }),
-            b: Box::new(Placed {
-                recipe: second.clone(),
-                placement: (*at).into(),
-            }),
+            a,
+            b,
             samples: self.samples,
         };
         match door.kernel(&job).await? {
@@ -85,17 +78,11 @@ enum Shown {
 }
 
 /// What the skins show. A solid whose skin cannot be had shows nothing.
-async fn shown(
-    door: &Asker<'_>,
-    first: &Named,
-    second: &Named,
-    at: &Placement,
-) -> Result<Shown, Failure> {
-    let (one, two) = (Skin(first), Skin(second));
-    let (Ok(one), Ok(two)) = futures::join!(door.ask(&one), door.ask(&two)) else {
+async fn shown(door: &Asker<'_>, pair: &Pair) -> Result<Shown, Failure> {
+    let Ok((one, two)) = pair.skins(door).await else {
         return Ok(Shown::Nothing);
     };
-    let at = *at;
+    let at = pair.at();
     door.work(move || match common(&one, &two, &at) {
         Common::Nothing => Shown::Apart,
         Common::Open if enter(&one, &two, &at) => Shown::Within,

@@ -56,18 +56,15 @@ pub(super) struct Bench {
     disk: Option<Disk>,
     /// Whether the job at hand names a solid that is neither known here nor said how to make.
     unknown: bool,
-    /// How much address space it may have taken for the process to do another job: half of its limit.
-    pub(super) most_bytes: u64,
 }
 
 impl Bench {
-    pub(super) fn new(folder: Option<PathBuf>, memory_mb: u64) -> Self {
+    pub(super) fn new(folder: Option<PathBuf>) -> Self {
         let disk = folder.map(|f| Disk::new(f, &crate::fingerprint()));
         Self {
             memory: cache::in_memory(),
             disk,
             unknown: false,
-            most_bytes: memory_mb.saturating_mul(1 << 19),
         }
     }
 

@@ -9,7 +9,11 @@ use std::path::PathBuf;
 
 use assemcad_workers::{Handler, Limits, Refusal, Tell};
 
+use crate::memory;
 use crate::protocol::{Job, KernelWork, Reply};
+
+/// A process that holds more than this share of its limit on address space after a job does no other one.
+const MOST_KEPT: f64 = 0.5;
 
 /// What a worker is started with.
 #[derive(Debug, Clone)]
@@ -32,10 +36,7 @@ pub fn run(settings: Settings) -> io::Result<()> {
         cpu_s: settings.cpu_s,
         ..Limits::default()
     };
-    assemcad_workers::serve::<KernelWork>(
-        limits,
-        jobs::Bench::new(settings.cache, settings.memory_mb),
-    )
+    assemcad_workers::serve::<KernelWork>(limits, jobs::Bench::new(settings.cache))
 }
 
 impl Handler<KernelWork> for jobs::Bench {
@@ -49,13 +50,6 @@ impl Handler<KernelWork> for jobs::Bench {
     /// Solids and triangles of earlier jobs, and what the kernel never gives back, are not to be the next job's
     /// trouble.
     fn is_fit(&self) -> bool {
-        address_space().is_none_or(|used| used < self.most_bytes)
+        memory::share_in_use().is_none_or(|share| share < MOST_KEPT)
     }
-}
-
-/// The address space of this process in bytes, where the system tells.
-fn address_space() -> Option<u64> {
-    let text = std::fs::read_to_string("/proc/self/statm").ok()?;
-    let pages: u64 = text.split_whitespace().next()?.parse().ok()?;
-    pages.checked_mul(u64::try_from(rustix::param::page_size()).ok()?)
 }
