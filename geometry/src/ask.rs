@@ -13,12 +13,14 @@ use assemcad_model::probe::{Answer, Probe};
 
 use crate::door::{Asker, nonsense};
 use crate::narrow::Boundary;
+use crate::narrow::meet::Meeting;
 use crate::pair::{Pair, PlacedSolid};
 use crate::questions::built::Build;
 use crate::questions::contact::Contact;
 use crate::questions::distance::Distance;
 use crate::questions::enters::Enters;
 use crate::questions::measured::Measure;
+use crate::questions::meetings::Meetings;
 use crate::questions::mesh::Mesh;
 use crate::questions::overlap::{Overlap, into_world};
 use crate::questions::probes::Probes;
@@ -87,6 +89,22 @@ impl Asker<'_> {
                 ..touch
             },
         })
+    }
+
+    /// Where two placed solids meet face to face, in the world and seen from the first.
+    ///
+    /// # Errors
+    /// Why there is no answer.
+    pub async fn meetings(
+        &self,
+        a: &PlacedSolid,
+        b: &PlacedSolid,
+    ) -> Result<Vec<Meeting>, Failure> {
+        let (pair, exchanged) = Pair::of(a, b);
+        let first = if exchanged { &b.at } else { &a.at };
+        let found = self.ask(&Meetings(pair)).await?;
+        let each = found.iter().cloned();
+        Ok(each.map(|m| m.placed(first, exchanged)).collect())
     }
 
     /// What a solid has at some places: an answer to each probe, in order.

@@ -75,6 +75,9 @@ pub(crate) struct Arguments {
     /// Turn about the incoming port's z, in degrees.
     #[serde(default)]
     alpha_deg: Option<f64>,
+    /// coaxial, coaxial_face, face_to_face, snap_to_face: what joins the two for good where they touch.
+    #[serde(default)]
+    bond: Option<Bond>,
     /// Ids of the engineering axioms that justify the mate, such as 'C-02'; find_axioms tells them.
     #[serde(default)]
     axioms: Vec<String>,
@@ -85,6 +88,17 @@ pub(crate) struct Arguments {
 enum Direction {
     Opposed,
     Same,
+}
+
+#[derive(Debug, Clone, Copy, Deserialize, Serialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+enum Bond {
+    None,
+    Welded,
+    Brazed,
+    Soldered,
+    Glued,
+    Magnetic,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -130,6 +144,7 @@ impl Arguments {
             ("angle_deg", self.angle_deg.map(|v| json!(v))),
             ("backlash_mm", self.backlash_mm.map(|v| json!(v))),
             ("alpha_deg", self.alpha_deg.map(|v| json!(v))),
+            ("bond", self.bond.map(|v| json!(v))),
         ];
         all.into_iter()
             .filter_map(|(name, v)| Some((name.to_owned(), v?)))

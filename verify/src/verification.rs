@@ -10,7 +10,7 @@ use assemcad_placing::{Assembled, Placements, Resolved};
 use crate::axioms::{self, Measurements};
 use crate::bill;
 use crate::checks::{
-    clearance, connectivity, contact, freedom, interference, mates, parts, port_use, ports,
+    clearance, connectivity, contact, freedom, holding, interference, mates, parts, port_use, ports,
 };
 use crate::results::Results;
 use crate::terms::Terms;
@@ -83,6 +83,7 @@ pub async fn verify(
     let placed = (resolved, placements);
     contact::check(door, placed, &pairs, &mut mates, tau_mm3, &mut results).await;
     connectivity::check(spec, resolved, &mut results);
+    holding::check(door, &assembled, &mates, &mut results).await;
     port_use::check(spec, resolved, &mut results);
     let freedom = freedom::check(spec, resolved, placements, &mut results);
     let measured = Measurements {

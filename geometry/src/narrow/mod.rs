@@ -21,6 +21,7 @@ mod boundary;
 mod edgewise;
 mod enter;
 mod inside;
+pub mod meet;
 mod patch;
 mod region;
 mod relate;

@@ -94,6 +94,22 @@ impl<'a> Patch<'a> {
         !self.face.outward
     }
 
+    /// The solid that the face belongs to, and where it is.
+    pub(super) fn boundary(&self) -> &'a Boundary {
+        self.boundary
+    }
+
+    pub(super) fn placement(&self) -> &'a Placement {
+        self.at
+    }
+
+    /// The corners of the face's triangles.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = [V; 3]> {
+        let [from, to] = self.face.triangles;
+        let each = (from..to).filter_map(|t| self.boundary.triangle(t));
+        each.map(|(.., own)| own.map(|p| V::from(self.at.point(p.into()))))
+    }
+
     pub(super) fn borders(&self) -> impl Iterator<Item = Edge> {
         self.borders_and_turns().map(|(edge, _)| edge)
     }

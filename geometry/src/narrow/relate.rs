@@ -134,7 +134,7 @@ fn unit_normal([p, q, r]: &[V; 3]) -> V {
 }
 
 /// The box of a box's corners at another place.
-fn turned(bounds: &Aabb, at: &Placement) -> Aabb {
+pub(super) fn turned(bounds: &Aabb, at: &Placement) -> Aabb {
     let corners = bounds
         .vertices()
         .map(|v| V::from(at.point([v.x, v.y, v.z])));

@@ -5,6 +5,7 @@ pub mod contact;
 pub mod distance;
 pub mod enters;
 pub mod measured;
+pub mod meetings;
 pub mod mesh;
 pub mod overlap;
 pub mod probes;

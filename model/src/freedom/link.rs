@@ -226,7 +226,7 @@ impl Scaled {
 }
 
 /// The direction of the centre line, the centre distance, and where the pitch point is on it.
-fn pitch_point(at: &Vector3<f64>, ratio: f64) -> (Vector3<f64>, f64, f64) {
+pub(super) fn pitch_point(at: &Vector3<f64>, ratio: f64) -> (Vector3<f64>, f64, f64) {
     let a = libm::hypot(at.x, at.y);
     (
         Vector3::new(at.x / a, at.y / a, 0.0),
@@ -235,7 +235,7 @@ fn pitch_point(at: &Vector3<f64>, ratio: f64) -> (Vector3<f64>, f64, f64) {
     )
 }
 
-fn sign(x: f64) -> f64 {
+pub(super) fn sign(x: f64) -> f64 {
     if x < 0.0 { -1.0 } else { 1.0 }
 }
 

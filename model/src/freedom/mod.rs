@@ -26,6 +26,7 @@
 //! method. A true motion stays where it went up to the square of the step.
 
 mod blocks;
+mod claims;
 mod drive;
 mod eliminate;
 mod finite;

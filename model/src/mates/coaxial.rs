@@ -1,8 +1,9 @@
 //! `coaxial`: two cylindrical axes on one line. Leaves one spin and one slide free.
 
 use super::{
-    Condition, Contact, Freedom, Joint, MateKind, MateType, Residual, SLIDE_Z, SPIN, along_axis,
-    axial_residual_deg, degrees, direction, millimetres, no_overlap, off_axis_mm,
+    Condition, Contact, Joint, MateKind, MateType, Residual, SLIDE_Z, SPIN, along_axis,
+    axial_residual_deg, bond, degrees, direction, millimetres, no_overlap, off_axis_mm,
+    unless_bonded,
 };
 use crate::frame::Placement;
 use crate::ports::Port;
@@ -62,12 +63,13 @@ pub(super) static KIND: MateKind = MateKind {
             millimetres("d_mm", "distance of the origins along the base port's z"),
             degrees("alpha_deg", "turn about the incoming port's z"),
             direction(),
+            bond(),
         ]
     },
     relative,
     residual,
     conditions,
-    freedom: |_| Freedom::of(&[SPIN, SLIDE_Z]),
+    freedom: |j| unless_bonded(j, &[SPIN, SLIDE_Z]),
     // A cylinder as thick as its hole has a seat there; with play it may float.
     contact: |j| (radial_play(j) == Some(0.0)).then_some(Contact::Cylinder),
     overlap: no_overlap,

@@ -2,7 +2,7 @@
 //! free, but none where a fastener is seated: friction holds it.
 
 use super::{
-    Condition, Contact, Freedom, Joint, MateKind, MateType, Residual, SPIN, at_most, degrees,
+    Condition, Contact, Freedom, Joint, MateKind, MateType, Residual, SPIN, at_most, bond, degrees,
     distance_mm, millimetres, no_overlap, no_play, opposed_residual_deg, over,
 };
 use crate::frame::Placement;
@@ -35,13 +35,14 @@ pub(super) static KIND: MateKind = MateKind {
         vec![
             millimetres("d_mm", "gap between the seats along the base port's z"),
             degrees("alpha_deg", "turn about the incoming port's z"),
+            bond(),
         ]
     },
     relative,
     residual,
     conditions,
     freedom: |j| {
-        if seated(j) {
+        if seated(j) || j.bonded() {
             Freedom::none()
         } else {
             Freedom::of(&[SPIN])

@@ -2,8 +2,8 @@
 //! its normal. Leaves two slides and one spin free.
 
 use super::{
-    Contact, Freedom, Joint, MateKind, MateType, Residual, SLIDE_X, SLIDE_Y, SPIN, degrees,
-    millimetres, no_conditions, no_overlap, no_play, opposed_residual_deg,
+    Contact, Joint, MateKind, MateType, Residual, SLIDE_X, SLIDE_Y, SPIN, bond, degrees,
+    millimetres, no_conditions, no_overlap, no_play, opposed_residual_deg, unless_bonded,
 };
 use crate::frame::Placement;
 use crate::ports::PortType::{BoltSeat, FlatFace, SnapFit};
@@ -27,12 +27,13 @@ pub(super) static KIND: MateKind = MateKind {
             millimetres("v_mm", "shift along the base port's y"),
             millimetres("d_n_mm", "gap along the base port's normal"),
             degrees("alpha_deg", "turn about the incoming port's normal"),
+            bond(),
         ]
     },
     relative,
     residual,
     conditions: no_conditions,
-    freedom: |_| Freedom::of(&[SPIN, SLIDE_X, SLIDE_Y]),
+    freedom: |j| unless_bonded(j, &[SPIN, SLIDE_X, SLIDE_Y]),
     contact: |j| (j.number("d_n_mm") == 0.0).then_some(Contact::Face),
     overlap: no_overlap,
     radial_play: no_play,

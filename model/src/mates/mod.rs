@@ -33,9 +33,9 @@ pub use effect::{Contact, Coupling, Freedom, Overlap, Twist};
 use effect::{SLIDE_X, SLIDE_Y, SLIDE_Z, SPIN};
 pub use serving::{Once, serves_once};
 use shared::{
-    along_axis, at_most, axial_residual_deg, common_length, degrees, direction, distance_mm,
+    along_axis, at_most, axial_residual_deg, bond, common_length, degrees, direction, distance_mm,
     millimetres, no_conditions, no_overlap, no_play, off_axis_mm, opposed_residual_deg, over,
-    within,
+    unless_bonded, within,
 };
 
 /// The types of mates.
@@ -120,6 +120,13 @@ impl Joint<'_> {
     fn flag(&self, name: &str) -> bool {
         let value = self.options.0.get(name);
         value.and_then(Value::as_bool).unwrap_or_default()
+    }
+
+    /// Whether it is stated that the two are joined for good: welded, glued, soldered.
+    #[must_use]
+    pub fn bonded(&self) -> bool {
+        let value = self.options.0.get("bond");
+        value.and_then(Value::as_str).is_some_and(|b| b != "none")
     }
 
     /// Whether the z axes look the same way.

@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use super::{Condition, Joint, Overlap};
+use super::{Condition, Freedom, Joint, Overlap, Twist};
 use crate::angle::between_deg;
 use crate::frame::Placement;
 use crate::param::{ParamKind, ParamSpec};
@@ -118,4 +118,23 @@ pub(super) fn direction() -> ParamSpec {
             default: "opposed".to_owned(),
         },
     }
+}
+
+/// How two parts are joined for good where their faces touch. A claim: it holds nothing where they do not.
+pub(super) fn bond() -> ParamSpec {
+    ParamSpec {
+        name: "bond".to_owned(),
+        doc: "what joins the two for good where they touch; nothing is left free then".to_owned(),
+        kind: ParamKind::Choice {
+            choices: ["none", "welded", "brazed", "soldered", "glued", "magnetic"]
+                .map(str::to_owned)
+                .to_vec(),
+            default: "none".to_owned(),
+        },
+    }
+}
+
+/// The freedom that a mate leaves where it states no bond.
+pub(super) fn unless_bonded(j: &Joint<'_>, free: &[Twist]) -> Freedom {
+    Freedom::of(if j.bonded() { &[] } else { free })
 }

@@ -1,8 +1,8 @@
 //! `snap_to_face`: a point of a planar face, given as fractions of the face's extents. Leaves nothing free.
 
 use super::{
-    Contact, Freedom, Joint, MateKind, MateType, Residual, degrees, millimetres, no_conditions,
-    no_overlap, no_play, within,
+    Contact, Freedom, Joint, MateKind, MateType, Residual, bond, degrees, millimetres,
+    no_conditions, no_overlap, no_play, within,
 };
 use crate::angle::between_deg;
 use crate::frame::Placement;
@@ -46,6 +46,7 @@ pub(super) static KIND: MateKind = MateKind {
             v,
             millimetres("d_n_mm", "gap along the base port's normal"),
             degrees("alpha_deg", "turn about the incoming port's normal"),
+            bond(),
         ]
     },
     relative,

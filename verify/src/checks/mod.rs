@@ -4,6 +4,7 @@ pub(crate) mod clearance;
 pub(crate) mod connectivity;
 pub(crate) mod contact;
 pub(crate) mod freedom;
+pub(crate) mod holding;
 pub mod interference;
 pub(crate) mod mates;
 pub(crate) mod parts;

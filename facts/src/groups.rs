@@ -1,0 +1,136 @@
+//! Parts that friction or a bond makes one body.
+
+use assemcad_geometry::narrow::meet::{Kind, Meeting, TOUCH_MM};
+use nalgebra::Vector3;
+
+use crate::clamp;
+use crate::hold::{Placed, Thread};
+use crate::union::Union;
+
+/// Why two parts move as one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Reason {
+    /// One is pressed into the other.
+    Pressed,
+    /// One is screwed into the other.
+    Screwed,
+    /// They lie in the grip of a screw.
+    Clamped,
+    /// They are welded, glued or soldered.
+    Bonded,
+}
+
+/// How far the axes of ports may be off the axis of the faces about them, in mm and as a sine.
+const ON_AXIS: (f64, f64) = (1e-3, 1e-6);
+
+/// Two threads that are screwed into each other.
+#[derive(Debug, Clone)]
+pub(crate) struct Engaged {
+    pub(crate) screw: usize,
+    pub(crate) nut: usize,
+    /// The way in which the screw goes in: out of its end.
+    pub(crate) way: Vector3<f64>,
+    pub(crate) point: Vector3<f64>,
+    /// Pitch in mm, negative of a left-hand thread.
+    pub(crate) lead: f64,
+    /// Whether it stays where it is by its own friction.
+    pub(crate) stays: bool,
+}
+
+/// The threads that are screwed into each other, by the cylinders that overlap there.
+pub(crate) fn engaged(of: &Placed<'_>) -> Vec<Engaged> {
+    let mut out = Vec::new();
+    for pair in of.pairs {
+        for meeting in &pair.meetings {
+            let (Kind::Cylinder, Some(about)) = (meeting.kind, &meeting.about) else {
+                continue;
+            };
+            let (nut, screw) = match about.first_has_hole {
+                true => (pair.a, pair.b),
+                false => (pair.b, pair.a),
+            };
+            let (point, axis) = (Vector3::from(about.point), Vector3::from(about.direction));
+            let on_axis = |t: &&Thread| {
+                let arm = t.point - point;
+                (arm - axis * arm.dot(&axis)).norm() <= ON_AXIS.0
+                    && t.direction.cross(&axis).norm() <= ON_AXIS.1
+            };
+            let find = |part: usize, external: bool, radius: f64| {
+                of.threads
+                    .iter()
+                    .filter(|t| t.part == part && t.external == external)
+                    .filter(on_axis)
+                    .find(|t| (t.modelled_mm / 2.0 - radius).abs() <= ON_AXIS.0)
+            };
+            let (Some(inside), Some(outside)) = (
+                find(nut, false, about.hole_mm),
+                find(screw, true, about.inner_mm),
+            ) else {
+                continue;
+            };
+            let same = (inside.diameter_mm - outside.diameter_mm).abs() <= 1e-9
+                && (inside.lead_mm - outside.lead_mm).abs() <= 1e-9;
+            let known = |e: &Engaged| (e.screw, e.nut) == (screw, nut);
+            if same && meeting.gap_mm <= TOUCH_MM && !out.iter().any(known) {
+                out.push(Engaged {
+                    screw,
+                    nut,
+                    way: outside.direction,
+                    point: outside.point,
+                    lead: outside.lead_mm,
+                    stays: !of.driven.contains(&(screw, nut)) && !of.driven.contains(&(nut, screw)),
+                });
+            }
+        }
+    }
+    out
+}
+
+/// Whether a meeting is that of two threads.
+pub(crate) fn threaded(a: usize, b: usize, engaged: &[Engaged]) -> bool {
+    let pair = |e: &Engaged| (e.screw, e.nut) == (a, b) || (e.screw, e.nut) == (b, a);
+    engaged.iter().any(pair)
+}
+
+/// A pressed fit holds from this much interference on the radius on, in mm.
+const PRESSED_MM: f64 = 1e-4;
+
+/// It holds where it closes around at least this share of the circle.
+const CLOSED: f64 = 0.5;
+
+fn pressed(meeting: &Meeting, stated: bool) -> bool {
+    let most = if stated { TOUCH_MM } else { -PRESSED_MM };
+    let about = meeting.about.as_ref();
+    matches!(meeting.kind, Kind::Cylinder | Kind::Cone)
+        && meeting.gap_mm <= most
+        && about.is_some_and(|a| a.share >= CLOSED)
+}
+
+/// Joins what moves as one.
+pub(crate) fn join(of: &Placed<'_>, engaged: &[Engaged]) -> (Union, Vec<(usize, usize, Reason)>) {
+    let mut union = Union::new(of.parts);
+    let mut why = Vec::new();
+    let mut take = |a: usize, b: usize, reason: Reason| {
+        union.join(a, b);
+        why.push((a, b, reason));
+    };
+    for pair in of.pairs {
+        let (a, b) = (pair.a, pair.b);
+        let stated = of.pressed.contains(&(a, b)) || of.pressed.contains(&(b, a));
+        if !threaded(a, b, engaged) && pair.meetings.iter().any(|m| pressed(m, stated)) {
+            take(a, b, Reason::Pressed);
+        }
+        let bonded = of.bonded.contains(&(a, b)) || of.bonded.contains(&(b, a));
+        let touches = |m: &Meeting| m.area_mm2 > 0.0 && m.touches();
+        if bonded && pair.meetings.iter().any(touches) {
+            take(a, b, Reason::Bonded);
+        }
+    }
+    for e in engaged.iter().filter(|e| e.stays) {
+        take(e.screw, e.nut, Reason::Screwed);
+        for part in clamp::grip(of, engaged, e) {
+            take(e.screw, part, Reason::Clamped);
+        }
+    }
+    (union, why)
+}

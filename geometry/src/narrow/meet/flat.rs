@@ -1,0 +1,89 @@
+//! Plane on plane.
+
+use super::clip::{P, Tri, area};
+use super::{Kind, Meeting, REACH_MM, across, spot};
+use crate::narrow::patch::{Patch, Surface, V};
+
+/// Planes whose normals differ by no more than this sine from being opposed face each other.
+const OPPOSED: f64 = 1e-4;
+
+/// How far planes that face each other may be within each other, in mm: a key with interference. Deeper is no
+/// contact.
+const DEEPEST_MM: f64 = 0.2;
+
+/// The smallest area, in mm2: below it is a line.
+const LEAST_MM2: f64 = 1e-6;
+
+/// Directions in which the outermost points are looked for.
+const OUTERMOST: u32 = 16;
+
+/// Two planes that face each other.
+pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>) -> Option<Meeting> {
+    let (
+        Surface::Plane { origin, normal },
+        Surface::Plane {
+            origin: other,
+            normal: against,
+        },
+    ) = (a.surface, b.surface)
+    else {
+        return None;
+    };
+    if normal.dot(&against) > 0.0 || normal.cross(&against).norm() > OPPOSED {
+        return None;
+    }
+    let axes = across(&normal);
+    let flat = |p: &V| {
+        let arm = p - origin;
+        P::new(arm.dot(&axes.0), arm.dot(&axes.1))
+    };
+    let sheet = |patch: &Patch<'_>| -> Vec<Tri> {
+        let triangles = patch.triangles();
+        triangles.map(|t| Tri::new(t.map(|p| flat(&p)))).collect()
+    };
+    let gap = (other - origin).dot(&normal);
+    if !(-DEEPEST_MM..=REACH_MM).contains(&gap) {
+        return None;
+    }
+    let (mut total, mut corners) = (0.0, Vec::new());
+    let others = sheet(b);
+    for one in sheet(a) {
+        for two in &others {
+            let common = one.common(two);
+            total += area(&common);
+            corners.extend(common);
+        }
+    }
+    if total < LEAST_MM2 {
+        return None;
+    }
+    let spots = outermost(&corners);
+    let spots = spots.into_iter().map(|p| {
+        let at = origin + axes.0 * p.x + axes.1 * p.y;
+        spot(at, normal, gap)
+    });
+    Some(Meeting {
+        kind: Kind::Plane,
+        gap_mm: gap,
+        area_mm2: total,
+        about: None,
+        spots: spots.collect(),
+    })
+}
+
+/// The points that lie outermost in some directions, each once.
+fn outermost(points: &[P]) -> Vec<P> {
+    let mut out: Vec<P> = Vec::new();
+    for k in 0..OUTERMOST {
+        let angle = core::f64::consts::TAU * (f64::from(k) + 0.25) / f64::from(OUTERMOST);
+        let (sin, cos) = libm::sincos(angle);
+        let along = |p: &P| p.x * cos + p.y * sin;
+        let best = points.iter().max_by(|p, q| along(p).total_cmp(&along(q)));
+        if let Some(p) = best
+            && out.iter().all(|q| (p - q).norm() > 1e-6)
+        {
+            out.push(*p);
+        }
+    }
+    out
+}
