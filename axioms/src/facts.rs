@@ -95,9 +95,9 @@ pub struct MateFacts {
     /// The axioms that it cites.
     #[serde(default)]
     pub axioms: Vec<String>,
-    /// Whether it has a note, which may hold a reason.
+    /// Whether it is accepted, with a reason, that it takes freedoms again.
     #[serde(default)]
-    pub has_notes: bool,
+    pub reason_stated: bool,
 }
 
 /// One end of a mate, resolved.

@@ -55,6 +55,9 @@ pub struct Report {
     pub kernel: String,
     /// The worst verdict of all checks.
     pub verdict: Verdict,
+    /// What the author accepts knowingly, and whether it was met.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub accepted: Vec<AcceptedFact>,
     /// What is wrong or could not be told, worst first.
     pub findings: Vec<Finding>,
     /// The checks that were made.
@@ -86,6 +89,19 @@ pub struct Report {
     /// Which motions the mates leave, where that could be told.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub freedom: Option<Freedom>,
+}
+
+/// A rule that the author breaks knowingly.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct AcceptedFact {
+    /// Id of the axiom.
+    pub axiom: String,
+    /// The parts of which it is accepted.
+    pub parts: Vec<String>,
+    /// Why, in the author's words.
+    pub reason: String,
+    /// How many findings it answers; 0 where nothing broke the rule there.
+    pub findings: usize,
 }
 
 /// One kind of check, over the whole assembly.

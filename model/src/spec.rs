@@ -9,8 +9,11 @@ use crate::diagnostic::{Code, Diagnostic};
 use crate::mates::MateType;
 
 pub mod schema;
+mod stated;
 pub mod text;
 pub mod tree;
+
+pub use stated::{Accepted, PartMotion, WorldAxis};
 
 /// The version of the specification's format.
 pub const FORMAT: u32 = 1;
@@ -49,6 +52,15 @@ pub struct Assembly {
     /// How many independent motions the finished machine is meant to have.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub intended_mobility: Option<u32>,
+    /// The motions that the finished machine is meant to have, each by a part that makes it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub intended_motions: Vec<PartMotion>,
+    /// The parts that may lie loose, each with the motion that nothing has to stop.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub free: Vec<PartMotion>,
+    /// The rules of experience that are broken knowingly.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub accept: Vec<Accepted>,
     /// The parts, in the order in which they were added.
     #[serde(default)]
     pub parts: Vec<Part>,
@@ -123,6 +135,9 @@ impl Assembly {
             notes: String::new(),
             root: None,
             intended_mobility: None,
+            intended_motions: Vec::new(),
+            free: Vec::new(),
+            accept: Vec::new(),
             parts: Vec::new(),
             mates: Vec::new(),
         }

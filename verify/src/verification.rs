@@ -3,7 +3,7 @@
 use assemcad_factories::Registry;
 use assemcad_geometry::Asker;
 use assemcad_model::diagnostic::Diagnostic;
-use assemcad_model::report::{FORMAT, Report, Verdict};
+use assemcad_model::report::{Check, FORMAT, Report, Verdict};
 use assemcad_model::spec::Assembly;
 use assemcad_placing::{Assembled, Placements, Resolved};
 
@@ -13,7 +13,7 @@ use crate::checks::{
     clearance, connectivity, contact, freedom, holding, interference, mates, parts, port_use, ports,
 };
 use crate::results::Results;
-use crate::terms::Terms;
+use crate::terms::{DEFAULT_TAU_MM3, Terms};
 
 /// What is not checked where no clearance is asked for.
 const NO_CLEARANCE: &str =
@@ -58,8 +58,12 @@ pub async fn verify(
         resolved,
         placements,
     } = of;
-    let tau_mm3 = terms.tau_mm3;
+    // A threshold above the server's own reports nothing greener.
+    let tau_mm3 = terms.tau_mm3.min(DEFAULT_TAU_MM3);
     let mut results = Results::default();
+    for d in spec.stated_faults() {
+        results.find(Verdict::Fail, "stated", Vec::new(), d);
+    }
     let (built, mut parts) = parts::check(door, resolved, placements, &mut results).await;
     match ports {
         Some(known) => {
@@ -83,7 +87,7 @@ pub async fn verify(
     let placed = (resolved, placements);
     contact::check(door, placed, &pairs, &mut mates, tau_mm3, &mut results).await;
     connectivity::check(spec, resolved, &mut results);
-    holding::check(door, &assembled, &mates, &mut results).await;
+    holding::check(door, spec, &assembled, &mates, &mut results).await;
     port_use::check(spec, resolved, &mut results);
     let freedom = freedom::check(spec, resolved, placements, &mut results);
     let measured = Measurements {
@@ -94,18 +98,33 @@ pub async fn verify(
         freedom: freedom.as_ref(),
     };
     let asked = (door, registry);
-    let axioms = axioms::run(asked, spec, &assembled, &measured, &mut results).await;
+    let (axioms, accepted) = axioms::run(asked, spec, &assembled, &measured, &mut results).await;
     let mut not_checked = NOT_CHECKED.map(str::to_owned).to_vec();
     if clearance_mm.is_none() {
         not_checked.push(NO_CLEARANCE.to_owned());
+    }
+    if terms.tau_mm3 > tau_mm3 {
+        not_checked.push(format!(
+            "overlaps up to {} mm3: tau_mm3 above {tau_mm3} lets nothing pass",
+            terms.tau_mm3
+        ));
     }
     not_checked.extend(axioms::not_checked(&axioms));
     let mass = bill::mass(&assembled, terms.density_kg_m3, &mut parts);
     let bill_of_materials = bill::lines(resolved, &parts)?;
     let Results {
         mut findings,
-        checks,
+        mut checks,
     } = results;
+    if findings.iter().any(|f| f.check == "stated") {
+        checks.push(Check {
+            check: "stated".to_owned(),
+            verdict: Verdict::Fail,
+            cases: spec.intended_motions.len() + spec.free.len() + spec.accept.len(),
+            how: "what is stated beside parts and mates names parts and rules that there are"
+                .to_owned(),
+        });
+    }
     // Stable: within a verdict, the order of the checks and of the specification.
     findings.sort_by_key(|f| core::cmp::Reverse(f.verdict));
     let verdict = checks.iter().fold(Verdict::Pass, |v, c| v.and(c.verdict));
@@ -116,6 +135,7 @@ pub async fn verify(
         step: None,
         kernel: assemcad_kernel::version(),
         verdict,
+        accepted,
         findings,
         checks,
         not_checked,

@@ -43,6 +43,13 @@ pub(super) async fn check(workshop: &Workshop, draft: &Draft) -> Vec<Diagnostic>
     let parts = parts(workshop, draft, &mut found).await;
     let mates = mates(draft, &parts, &mut found);
     let root = root(draft, &mut found);
+    if let Some(assembly) = &draft.assembly {
+        let faults = assembly.stated_faults().into_iter();
+        found.extend(faults.map(|d| {
+            let place = draft.place(&d.place);
+            d.at(place)
+        }));
+    }
     unreached(draft, root, &mut found);
     coincident(draft, &parts, &mates, root, &mut found);
     unsupported(draft, &mates, root, &mut found);

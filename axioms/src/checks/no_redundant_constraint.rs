@@ -8,7 +8,7 @@ use crate::indexed::Indexed;
 use crate::reasons::reasons;
 use crate::ruling::{About, Ruling, Status};
 
-/// What is constrained twice has a note, or belongs to a pattern of joints that other axioms demand.
+/// What is constrained twice is accepted, or belongs to a pattern of joints that other axioms demand.
 pub struct NoRedundantConstraint;
 
 impl Check for NoRedundantConstraint {
@@ -36,7 +36,7 @@ impl Check for NoRedundantConstraint {
         }
         // One verdict: in a loop every mate repeats what the others hold, and to name each of them alone
         // would say the same over and over.
-        let noted = |mate: &str| facts.mate(mate).is_some_and(|m| m.has_notes);
+        let noted = |mate: &str| facts.mate(mate).is_some_and(|m| m.reason_stated);
         // Without the second analysis nothing is explained.
         let left = mobility.unexplained.as_ref().unwrap_or(&mobility.redundant);
         let bare: Vec<_> = left.iter().filter(|r| !noted(&r.mate)).collect();
@@ -47,7 +47,7 @@ impl Check for NoRedundantConstraint {
         let all: Vec<&Redundant> = mobility.redundant.iter().collect();
         let message = if !bare.is_empty() {
             format!(
-                "freedoms are taken again at {}, and neither a note nor a pattern of joints gives the reason",
+                "freedoms are taken again at {}, and no pattern of joints gives the reason",
                 names(&bare)
             )
         } else if left.is_empty() {
@@ -57,7 +57,7 @@ impl Check for NoRedundantConstraint {
             )
         } else {
             format!(
-                "freedoms are taken again at {}, with notes or as recognised patterns of joints want it",
+                "freedoms are taken again at {}, as accepted or as recognised patterns of joints want it",
                 names(&all)
             )
         };

@@ -47,7 +47,7 @@ fn with<T>(a: PartFacts, b: PartFacts, f: impl Fn(&Pair<'_>) -> T) -> T {
         incoming: end(&b),
         options: serde_json::Map::new(),
         axioms: Vec::new(),
-        has_notes: false,
+        reason_stated: false,
     };
     let facts = Facts {
         parts: vec![a, b],

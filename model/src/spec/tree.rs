@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::{Assembly, FORMAT, Mate, Part};
+use super::{Accepted, Assembly, FORMAT, Mate, Part, PartMotion};
 
 /// An assembly in the tree form.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -29,6 +29,15 @@ pub struct Tree {
     /// How many independent motions the finished machine is meant to have.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub intended_mobility: Option<u32>,
+    /// The motions that the finished machine is meant to have, each by a part that makes it.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub intended_motions: Vec<PartMotion>,
+    /// The parts that may lie loose, each with the motion that nothing has to stop.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub free: Vec<PartMotion>,
+    /// The rules of experience that are broken knowingly.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub accept: Vec<Accepted>,
     /// The parts by their names, in their order.
     pub parts_index: IndexMap<String, PartNode>,
     /// The mates, in their order.
@@ -64,6 +73,9 @@ impl From<Tree> for Assembly {
             notes: tree.notes,
             root: tree.root,
             intended_mobility: tree.intended_mobility,
+            intended_motions: tree.intended_motions,
+            free: tree.free,
+            accept: tree.accept,
             parts: tree.parts_index.into_iter().map(part).collect(),
             mates: tree.mates,
         }
@@ -87,6 +99,9 @@ impl From<Assembly> for Tree {
             notes: assembly.notes,
             root: assembly.root,
             intended_mobility: assembly.intended_mobility,
+            intended_motions: assembly.intended_motions,
+            free: assembly.free,
+            accept: assembly.accept,
             parts_index: assembly.parts.into_iter().map(node).collect(),
             mates: assembly.mates,
         }

@@ -11,16 +11,18 @@ use assemcad_axioms::{Facts, Status, axioms, checks};
 use assemcad_factories::Registry;
 use assemcad_geometry::Asker;
 use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
-use assemcad_model::report::{AxiomFacts, AxiomRole, AxiomStatus, Axioms, Finding, Verdict};
+use assemcad_model::report::{
+    AcceptedFact, AxiomFacts, AxiomRole, AxiomStatus, Axioms, Finding, Verdict,
+};
 use assemcad_model::spec::Assembly;
 use assemcad_placing::Assembled;
 use serde_json::json;
 
 use super::facts::{self, Measurements};
-use super::{measure, mend, trace};
+use super::{accept, measure, mend, trace};
 use crate::results::Results;
 
-const CHECK: &str = "axioms";
+pub(super) const CHECK: &str = "axioms";
 
 const NO_MOTION: &str = "it needs the motions that the mates leave, and those could not be told";
 const NOT_WRITTEN: &str = "its check is not written yet";
@@ -33,7 +35,8 @@ pub(crate) async fn run(
     assembled: &Assembled<'_>,
     measured: &Measurements<'_>,
     results: &mut Results,
-) -> Axioms {
+) -> (Axioms, Vec<AcceptedFact>) {
+    let mut accepted = accept::stated(spec, results);
     let facts = facts::facts(registry, spec, assembled, measured);
     let facts = measure::measure(door, assembled, facts).await;
     let mut told: BTreeMap<String, Vec<Ruling>> = BTreeMap::new();
@@ -43,7 +46,8 @@ pub(crate) async fn run(
     let mut all = Axioms::default();
     let (mut verdict, mut cases) = (Verdict::Pass, 0);
     for axiom in axioms() {
-        let verdicts = told.remove(&axiom.id).unwrap_or_default();
+        let mut verdicts = told.remove(&axiom.id).unwrap_or_default();
+        accept::take(axiom, &mut verdicts, &mut accepted, results);
         let fact = judged(axiom, &facts, &verdicts);
         cases += fact.cases;
         verdict = verdict.and(match fact.status {
@@ -68,7 +72,7 @@ pub(crate) async fn run(
         all.passed, all.not_applicable
     );
     results.check(CHECK, verdict, cases, &how);
-    all
+    (all, accepted)
 }
 
 /// What was not checked of the axioms, for the report's list.

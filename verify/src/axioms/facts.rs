@@ -11,7 +11,7 @@ use assemcad_axioms::reasons::reasons;
 use assemcad_factories::Registry;
 use assemcad_model::freedom::Freedom;
 use assemcad_model::report::{self, Overlapping, Verdict};
-use assemcad_model::spec::{Assembly, Part};
+use assemcad_model::spec::{Assembly, Mate, Part};
 use assemcad_placing::linkage::freedom_of;
 use assemcad_placing::{Assembled, Placements, Resolved};
 use serde_json::{Map, Value};
@@ -66,7 +66,7 @@ pub(super) fn facts(
         incoming: m.mate.incoming.clone(),
         options: m.mate.options.clone(),
         axioms: m.mate.axioms.clone(),
-        has_notes: !m.mate.notes.trim().is_empty(),
+        reason_stated: reason_stated(spec, &m.mate),
     });
     let mut facts = Indexed::new(Facts {
         root: spec.root.clone(),
@@ -191,4 +191,11 @@ fn contacts(measured: &Measurements<'_>) -> Vec<MateContact> {
         })
     };
     measured.mates.iter().filter_map(contact).collect()
+}
+
+/// Whether it is accepted of a mate's parts that it takes freedoms again; a note says nothing.
+fn reason_stated(spec: &Assembly, mate: &Mate) -> bool {
+    let both = [&mate.base.part, &mate.incoming.part];
+    let mut accepted = spec.accept.iter();
+    accepted.any(|a| a.axiom == "C-05" && both.iter().all(|p| a.parts.contains(*p)))
 }

@@ -5,10 +5,10 @@
 //! apart. What is compared is the number of motions that go on beyond the first instant, without those.
 
 use assemcad_model::diagnostic::{Code, Diagnostic};
-use assemcad_model::freedom::{Freedom, Lasting, analyse};
+use assemcad_model::freedom::{BodyMotion, Freedom, Kind, Lasting, Motion, analyse};
 use assemcad_model::name::listed;
 use assemcad_model::report::{Finding, Verdict};
-use assemcad_model::spec::Assembly;
+use assemcad_model::spec::{Assembly, PartMotion};
 use assemcad_placing::linkage::system;
 use assemcad_placing::{Placements, Resolved};
 use serde_json::{Map, json};
@@ -37,7 +37,7 @@ pub(crate) fn check(
             return None;
         }
     };
-    let (verdict, said, found) = judge(&freedom, spec.intended_mobility);
+    let (verdict, said, found) = judge(&freedom, spec);
     results.check("freedom", verdict, cases, &format!("{HOW}: {said}"));
     results.findings.extend(found);
     Some(freedom)
@@ -47,7 +47,7 @@ const HOW: &str =
     "rank of the mates' constraints at the placed pose, finite steps where some are redundant";
 
 /// The verdict, what was found in a sentence, and the finding if there is one.
-fn judge(freedom: &Freedom, intended: Option<u32>) -> (Verdict, String, Option<Finding>) {
+fn judge(freedom: &Freedom, spec: &Assembly) -> (Verdict, String, Option<Finding>) {
     let open = |message: String| {
         let d = Diagnostic::error(Code::Indeterminate, "freedom", message);
         finding(Verdict::Indeterminate, d)
@@ -59,9 +59,8 @@ fn judge(freedom: &Freedom, intended: Option<u32>) -> (Verdict, String, Option<F
         return (Verdict::Indeterminate, said.to_owned(), Some(found));
     };
     let said = summary(freedom, first_order);
-    let Some(intended) = intended else {
-        let said = format!("{said}; not compared, since no intended_mobility is stated");
-        return (Verdict::Pass, said, None);
+    let Some(intended) = spec.motions_meant() else {
+        return unstated(freedom, spec, said);
     };
     let wanted = intended as usize;
     let Some(lasting) = freedom.lasting_mobility else {
@@ -72,9 +71,20 @@ fn judge(freedom: &Freedom, intended: Option<u32>) -> (Verdict, String, Option<F
         let found = with_values(open(message), freedom, intended);
         return (Verdict::Indeterminate, said, Some(found));
     };
-    let real = lasting.saturating_sub(freedom.idle_spins);
+    let loose = freedom
+        .motions
+        .iter()
+        .filter(|m| !m.idle && may_be_loose(m, spec));
+    let loose: usize = loose.map(|m| m.count).sum();
+    let real = lasting.saturating_sub(idle_spins(freedom, spec) + loose);
     if real == wanted {
-        return (Verdict::Pass, format!("{said}; as intended"), None);
+        return match not_made(freedom, spec) {
+            None => (Verdict::Pass, format!("{said}; as intended"), None),
+            Some(d) => {
+                let found = with_values(finding(Verdict::Fail, d), freedom, intended);
+                (Verdict::Fail, said, Some(found))
+            }
+        };
     }
     let names = |idle: bool| -> Vec<String> {
         let chosen = freedom.motions.iter().filter(|m| m.idle == idle);
@@ -125,6 +135,105 @@ fn judge(freedom: &Freedom, intended: Option<u32>) -> (Verdict, String, Option<F
         ..with_values(finding(Verdict::Fail, d), freedom, intended)
     };
     (Verdict::Fail, said, Some(found))
+}
+
+/// What nobody states is not meant: a hub without a ring slides off, whatever its mate leaves free.
+fn unstated(
+    freedom: &Freedom,
+    spec: &Assembly,
+    said: String,
+) -> (Verdict, String, Option<Finding>) {
+    let free: Vec<&Motion> = freedom
+        .motions
+        .iter()
+        .filter(|m| !m.idle && !may_be_loose(m, spec))
+        .collect();
+    let real: usize = free.iter().map(|m| m.count).sum();
+    if real == 0 {
+        return (Verdict::Pass, said, None);
+    }
+    let names: Vec<String> = free.iter().map(|m| m.name.clone()).collect();
+    let d = Diagnostic::error(
+        Code::MobilityDiffers,
+        "assembly.intended_mobility",
+        format!(
+            "{} free and nothing states that {} meant: {}",
+            motions(real),
+            if real == 1 { "it is" } else { "they are" },
+            brief(&names)
+        ),
+    )
+    .found(real)
+    .hint(format!(
+        "hold what should not move by a further mate, or state what is meant: intended_mobility: {real}, or free \
+         with the part and the motion"
+    ));
+    let mut parts: Vec<String> = free
+        .iter()
+        .flat_map(|m| m.bodies.iter().map(|b| b.body.clone()))
+        .collect();
+    parts.sort();
+    parts.dedup();
+    let found = Finding {
+        parts,
+        ..finding(Verdict::Fail, d)
+    };
+    (
+        Verdict::Fail,
+        format!("{said}; not stated as intended"),
+        Some(found),
+    )
+}
+
+/// The idle spins that nobody names as a motion: a wheel's turn is one, a screw's is none.
+fn idle_spins(freedom: &Freedom, spec: &Assembly) -> usize {
+    let named = |m: &&Motion| {
+        let mut meant = spec.intended_motions.iter();
+        meant.any(|i| m.bodies.iter().any(|b| makes(b, i)))
+    };
+    let idle = freedom.motions.iter().filter(|m| m.idle);
+    let named = idle.filter(named).count();
+    freedom.idle_spins.saturating_sub(named)
+}
+
+/// Whether what a body does is the motion that is stated.
+fn makes(body: &BodyMotion, stated: &PartMotion) -> bool {
+    body.body == stated.part
+        && match body.kind {
+            Kind::Slide => stated.is_slide(body.direction),
+            Kind::Turn => stated.is_turn(body.direction),
+            Kind::Screw => stated.is_slide(body.direction) || stated.is_turn(body.direction),
+        }
+}
+
+/// The first intended motion that no free one is: their number alone may be right by the wrong parts.
+fn not_made(freedom: &Freedom, spec: &Assembly) -> Option<Diagnostic> {
+    let bodies = || freedom.motions.iter().flat_map(|m| &m.bodies);
+    let (index, motion) = spec
+        .intended_motions
+        .iter()
+        .enumerate()
+        .find(|(_, i)| !bodies().any(|b| makes(b, i)))?;
+    let names: Vec<String> = freedom.motions.iter().map(|m| m.name.clone()).collect();
+    Some(
+        Diagnostic::error(
+            Code::MobilityDiffers,
+            format!("assembly.intended_motions[{index}]"),
+            format!(
+                "'{}' does not move as intended; what moves: {}",
+                motion.part,
+                brief(&names)
+            ),
+        )
+        .found(motion.part.as_str())
+        .hint("name the part that makes the motion, and the world's axis along or about which"),
+    )
+}
+
+/// Whether all that moves is stated as free to do so.
+fn may_be_loose(motion: &Motion, spec: &Assembly) -> bool {
+    let stated = |b: &BodyMotion| spec.free.iter().any(|f| makes(b, f));
+    !motion.bodies.is_empty() && motion.more_bodies == 0 && motion.bodies.iter().all(stated)
 }
 
 fn summary(freedom: &Freedom, first_order: usize) -> String {

@@ -14,6 +14,9 @@ const DEEPEST_MM: f64 = 0.2;
 /// The smallest area, in mm2: below it is a line.
 const LEAST_MM2: f64 = 1e-6;
 
+/// A strip that is narrower carries nothing, in mm. Ours.
+const LEAST_MM: f64 = 0.05;
+
 /// Directions in which the outermost points are looked for.
 const OUTERMOST: u32 = 16;
 
@@ -57,6 +60,9 @@ pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>) -> Option<Meeting> {
     if total < LEAST_MM2 {
         return None;
     }
+    if narrowest(&corners) < LEAST_MM {
+        return None;
+    }
     let spots = outermost(&corners);
     let spots = spots.into_iter().map(|p| {
         let at = origin + axes.0 * p.x + axes.1 * p.y;
@@ -69,6 +75,18 @@ pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>) -> Option<Meeting> {
         about: None,
         spots: spots.collect(),
     })
+}
+
+/// The least width over some directions.
+fn narrowest(points: &[P]) -> f64 {
+    let width = |k: u32| {
+        let (sin, cos) = libm::sincos(core::f64::consts::PI * f64::from(k) / f64::from(OUTERMOST));
+        let along = points.iter().map(|p| p.x * cos + p.y * sin);
+        let ends = (f64::INFINITY, f64::NEG_INFINITY);
+        let (low, high) = along.fold(ends, |(l, h), x| (l.min(x), h.max(x)));
+        high - low
+    };
+    (0..OUTERMOST).map(width).fold(f64::INFINITY, f64::min)
 }
 
 /// The points that lie outermost in some directions, each once.

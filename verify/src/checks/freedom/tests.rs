@@ -235,6 +235,13 @@ fn mates_that_do_not_hold_leave_it_open() {
     assert_eq!(results.findings[0].mates, ["off"]);
 }
 
+fn meant(intended: Option<u32>) -> Assembly {
+    Assembly {
+        intended_mobility: intended,
+        ..Assembly::new("a", "")
+    }
+}
+
 #[test]
 fn idle_spins_do_not_pass_for_motions() {
     let motion = |name: &str, idle| Motion {
@@ -262,7 +269,7 @@ fn idle_spins_do_not_pass_for_motions() {
         joints: Vec::new(),
         islands: Vec::new(),
     };
-    let verdict = |real, intended| judge(&freedom(real), Some(intended)).0;
+    let verdict = |real, intended| judge(&freedom(real), &meant(Some(intended))).0;
     assert_eq!(
         (verdict(1, 1), verdict(0, 0)),
         (Verdict::Pass, Verdict::Pass)
@@ -275,9 +282,9 @@ fn idle_spins_do_not_pass_for_motions() {
     );
     let mut unknown = freedom(1);
     unknown.lasting_mobility = None;
-    assert_eq!(judge(&unknown, Some(1)).0, Verdict::Indeterminate);
+    assert_eq!(judge(&unknown, &meant(Some(1))).0, Verdict::Indeterminate);
     unknown.mobility = None;
-    assert_eq!(judge(&unknown, None).0, Verdict::Indeterminate);
+    assert_eq!(judge(&unknown, &meant(None)).0, Verdict::Indeterminate);
 }
 
 /// Mates taken in order, again and again until none reaches a new part: as it is said, and slowly.

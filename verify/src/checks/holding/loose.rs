@@ -7,6 +7,7 @@ use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::freedom::Link;
 use assemcad_model::name::listed;
 use assemcad_model::report::{Finding, Verdict, rounded};
+use assemcad_model::spec::Assembly;
 use assemcad_placing::Resolved;
 use nalgebra::{DMatrix, DVector, Vector6};
 use serde_json::{Map, json};
@@ -166,10 +167,15 @@ fn together(free: &Free, claims: &[Claim], basis: &DMatrix<f64>) -> Option<Loose
 }
 
 /// The findings: equal ones of equal parts together.
-pub(super) fn told(resolved: &Resolved, held: &Held, loose: &[Loose]) -> Vec<Finding> {
+pub(super) fn told(
+    spec: &Assembly,
+    resolved: &Resolved,
+    held: &Held,
+    loose: &[Loose],
+) -> Vec<Finding> {
     let mut grouped: BTreeMap<(Vec<&str>, u8), Vec<&Loose>> = BTreeMap::new();
     let mut order: Vec<(Vec<&str>, u8)> = Vec::new();
-    for one in loose {
+    for one in loose.iter().filter(|l| !may_be(spec, resolved, held, l)) {
         let parts = one
             .bodies
             .iter()
@@ -198,6 +204,20 @@ pub(super) fn told(resolved: &Resolved, held: &Held, loose: &[Loose]) -> Vec<Fin
         .filter_map(|key| grouped.get(key))
         .filter_map(|all| finding(resolved, held, all))
         .collect()
+}
+
+/// Whether it is stated that some of what goes may go so.
+fn may_be(spec: &Assembly, resolved: &Resolved, held: &Held, loose: &Loose) -> bool {
+    let bodies = loose.bodies.iter().filter_map(|b| held.bodies.get(*b));
+    let names: Vec<String> = bodies.flatten().map(|p| resolved.name(*p)).collect();
+    spec.free.iter().any(|f| {
+        names.contains(&f.part)
+            && match &loose.way {
+                Some(Way::Slide(along)) => f.is_slide((*along).into()),
+                Some(Way::Turn(_, along)) => f.is_turn((*along).into()),
+                None => f.slides_along.is_none() && f.turns_about.is_none(),
+            }
+    })
 }
 
 fn finding(resolved: &Resolved, held: &Held, all: &[&Loose]) -> Option<Finding> {
@@ -236,23 +256,15 @@ fn finding(resolved: &Resolved, held: &Held, all: &[&Loose]) -> Option<Finding> 
         None => "against each other".to_owned(),
     };
     let subject = listed(&parts, MOST_NAMED);
-    let message = if mates.is_empty() {
-        format!("nothing holds {subject} {what}")
-    } else {
-        format!(
-            "nothing holds {subject} {what}: {} {}, and no contact, thread, press fit or clamped stack does",
-            listed(&mates, MOST_NAMED),
-            if mates.len() == 1 {
-                "says so"
-            } else {
-                "say so"
-            }
-        )
-    };
+    let message = format!(
+        "nothing keeps {subject} {what}: {} {} it, and no contact, thread, press fit or clamped stack in the solids does",
+        listed(&mates, MOST_NAMED),
+        if mates.len() == 1 { "claims" } else { "claim" }
+    );
     let d = Diagnostic::error(Code::NotHeld, format!("part {subject}"), message)
         .hint(
             "let faces touch where the mates say so, add what holds the part (a screw through the whole stack, a \
-             shoulder or ring on the other side, a key, a press fit), or state the bond that is meant (bond: welded)",
+             shoulder or ring on the other side, a key, a press fit), or state what is meant: a bond (bond: welded), or that the part may lie loose (free)",
         );
     Some(Finding {
         verdict: Verdict::Fail,

@@ -15,6 +15,7 @@ use assemcad_model::freedom::Link;
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
 use assemcad_model::report::{MateFacts, Verdict};
+use assemcad_model::spec::Assembly;
 use assemcad_placing::linkage::system;
 use assemcad_placing::solids::near_pairs;
 use assemcad_placing::{Assembled, Resolved};
@@ -32,6 +33,7 @@ const HOW: &str = "motions that no contact of the placed solids stops, held agai
 /// Finds the parts that nothing holds.
 pub(crate) async fn check(
     door: Asker<'_>,
+    spec: &Assembly,
     assembled: &Assembled<'_>,
     mates: &[MateFacts],
     results: &mut Results,
@@ -87,7 +89,7 @@ pub(crate) async fn check(
         verdict = verdict.and(Verdict::Indeterminate);
         results.find(Verdict::Indeterminate, CHECK, names, d);
     }
-    for finding in loose::told(resolved, &held, &loose) {
+    for finding in loose::told(spec, resolved, &held, &loose) {
         verdict = verdict.and(finding.verdict);
         results.findings.push(finding);
     }
