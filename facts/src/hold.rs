@@ -2,10 +2,11 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use assemcad_geometry::narrow::meet::{Meeting, Spot};
+use assemcad_geometry::narrow::meet::{Kind, Meeting, Spot};
 use nalgebra::{DMatrix, DVector, Vector3, Vector6};
 use petgraph::unionfind::UnionFind;
 
+use crate::clamp::grip;
 use crate::cone::{Cone, Row, cone};
 use crate::groups::{Engaged, Reason, engaged, join, threaded};
 use crate::rows::Rows;
@@ -86,6 +87,36 @@ pub struct Held {
     pub why: Vec<(usize, usize, Reason)>,
     /// What moves, apart from each other.
     pub free: Vec<Free>,
+    /// Screws that go through parts which they do not press.
+    pub idle_screws: Vec<IdleScrew>,
+    /// Cylinders that are thicker than the hole that they are in and are no threads.
+    pub tight: Vec<Tight>,
+}
+
+/// A screw that goes through parts which it does not press, though they stand with what it is screwed into.
+#[derive(Debug, Clone)]
+pub struct IdleScrew {
+    /// The screw.
+    pub screw: usize,
+    /// What it is screwed into.
+    pub nut: usize,
+    /// The parts that it goes through and does not press.
+    pub through: Vec<usize>,
+}
+
+/// A cylinder in a hole that is narrower.
+#[derive(Debug, Clone)]
+pub struct Tight {
+    /// The part with the hole.
+    pub hole: usize,
+    /// The part in it.
+    pub inner: usize,
+    /// The diameter of the hole, in mm.
+    pub hole_mm: f64,
+    /// The diameter of what is in it, in mm.
+    pub inner_mm: f64,
+    /// A point of the axis, in mm.
+    pub at: [f64; 3],
 }
 
 /// Bodies that meet each other, and what they may do.
@@ -190,9 +221,80 @@ pub fn held(of: &Placed<'_>) -> Held {
         .map(|members| free_of(&members, &contacts, has_still));
     Held {
         free: free.collect(),
+        idle_screws: idle_screws(of, &engaged, &body_of),
+        tight: tight(of, &engaged),
         bodies,
         why,
     }
+}
+
+fn idle_screws(of: &Placed<'_>, engaged: &[Engaged], body_of: &[usize]) -> Vec<IdleScrew> {
+    let mut out = Vec::new();
+    for e in engaged.iter().filter(|e| e.stays) {
+        let grip = grip(of, engaged, e);
+        let body = |part: usize| body_of.get(part);
+        let mut through: Vec<usize> = Vec::new();
+        for pair in of.pairs {
+            let Some(other) = (match (pair.a == e.screw, pair.b == e.screw) {
+                (true, _) => Some(pair.b),
+                (_, true) => Some(pair.a),
+                _ => None,
+            }) else {
+                continue;
+            };
+            let around = |m: &Meeting| {
+                m.about.as_ref().is_some_and(|about| {
+                    let along = V::from(about.direction).cross(&e.way).norm();
+                    let has_hole = about.first_has_hole == (pair.a == other);
+                    has_hole && about.share > 0.5 && along <= 1e-3
+                })
+            };
+            let threads = |p: usize| engaged.iter().any(|x| x.screw == e.screw && x.nut == p);
+            if !threads(other)
+                && !grip.contains(&other)
+                && body(other) == body(e.nut)
+                && pair.meetings.iter().any(around)
+            {
+                through.push(other);
+            }
+        }
+        if !through.is_empty() {
+            out.push(IdleScrew {
+                screw: e.screw,
+                nut: e.nut,
+                through,
+            });
+        }
+    }
+    out
+}
+
+fn tight(of: &Placed<'_>, engaged: &[Engaged]) -> Vec<Tight> {
+    let mut out = Vec::new();
+    for pair in of.pairs {
+        if threaded(pair.a, pair.b, engaged) {
+            continue;
+        }
+        for m in &pair.meetings {
+            let Some(about) = m.about.as_ref().filter(|_| m.kind == Kind::Cylinder) else {
+                continue;
+            };
+            if m.gap_mm < 0.0 {
+                let (hole, inner) = match about.first_has_hole {
+                    true => (pair.a, pair.b),
+                    false => (pair.b, pair.a),
+                };
+                out.push(Tight {
+                    hole,
+                    inner,
+                    hole_mm: 2.0 * about.hole_mm,
+                    inner_mm: 2.0 * about.inner_mm,
+                    at: about.point,
+                });
+            }
+        }
+    }
+    out
 }
 
 /// A condition between two bodies, in the world.
@@ -232,7 +334,7 @@ fn contacts(of: &Placed<'_>, engaged: &[Engaged], body_of: &[usize]) -> Vec<Cont
         let teeth = coupled.contains(&(pair.a, pair.b));
         for meeting in pair.meetings.iter().filter(|m| stops(m)) {
             // Of wheels whose teeth are known to mesh the flanks are one condition, stated below.
-            if teeth && meeting.kind == assemcad_geometry::narrow::meet::Kind::Free {
+            if teeth && meeting.kind == Kind::Free {
                 continue;
             }
             for spot in &meeting.spots {

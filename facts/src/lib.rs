@@ -17,5 +17,5 @@ mod stops;
 mod union;
 
 pub use groups::Reason;
-pub use hold::{Coupled, Free, Held, PairMeetings, Placed, Thread, Way, held};
+pub use hold::{Coupled, Free, Held, IdleScrew, PairMeetings, Placed, Thread, Tight, Way, held};
 pub use rows::Rows;

@@ -12,9 +12,11 @@ use assemcad_kernel::protocol::{
 use assemcad_model::probe::{Answer, Probe};
 
 use crate::door::{Asker, nonsense};
-use crate::narrow::Boundary;
 use crate::narrow::meet::Meeting;
+use crate::narrow::{Boundary, Sleeve};
 use crate::pair::{Pair, PlacedSolid};
+use crate::pose::{rounded_direction, rounded_point};
+use crate::questions::beyond::{Beyond, Stray};
 use crate::questions::built::Build;
 use crate::questions::contact::Contact;
 use crate::questions::distance::Distance;
@@ -58,6 +60,31 @@ impl Asker<'_> {
         let (pair, exchanged) = Pair::of(a, b);
         let found = self.ask(&Overlap::new(pair, samples)).await?;
         Ok(into_world(found, if exchanged { &b.at } else { &a.at }))
+    }
+
+    /// Whether two placed solids have anything in common outside of some sleeves, all in the world.
+    ///
+    /// # Errors
+    /// Why there is no answer.
+    pub async fn beyond(
+        &self,
+        a: &PlacedSolid,
+        b: &PlacedSolid,
+        sleeves: &[Sleeve],
+    ) -> Result<Stray, Failure> {
+        let (pair, exchanged) = Pair::of(a, b);
+        let first = if exchanged { &b.at } else { &a.at };
+        let back = first.inverse();
+        let own = sleeves.iter().map(|s| Sleeve {
+            point: rounded_point(back.point(s.point)),
+            direction: rounded_direction(back.direction(s.direction)),
+            radius: s.radius,
+        });
+        let found = self.ask(&Beyond::new(pair, own.collect())).await?;
+        Ok(match found {
+            Stray::At(point) => Stray::At(first.point(point)),
+            known => known,
+        })
     }
 
     /// Whether a point of one placed solid's skin is shown to lie within the other. That it is not shows nothing.

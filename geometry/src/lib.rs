@@ -19,3 +19,5 @@ mod ask;
 pub use door::{Asker, Counts, Door, Key, Question, Terms};
 pub use gate::Urgency;
 pub use pair::PlacedSolid;
+pub use questions::beyond::Stray;
+pub use questions::overlap::ENTERS;

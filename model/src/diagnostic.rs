@@ -144,6 +144,8 @@ pub enum Code {
     Unconnected,
     /// More or fewer motions are free than the specification intends.
     MobilityDiffers,
+    /// Holes of parts that lie on each other are not in line.
+    HolesOutOfLine,
     /// A part that nothing holds where a mate says that it is held.
     NotHeld,
     /// A part that should move and cannot.

@@ -30,6 +30,6 @@ mod touch;
 mod triangles;
 
 pub use boundary::Boundary;
-pub use enter::enter;
-pub use relate::{Common, common};
+pub use enter::{enter, strays};
+pub use relate::{Common, Sleeve, common, common_beside};
 pub use touch::touch;

@@ -29,11 +29,42 @@ const SAME_WAY: f64 = 0.85;
 /// Holds two solids against each other, the second placed in the frame of the first.
 #[must_use]
 pub fn common(a: &Boundary, b: &Boundary, at: &Placement) -> Common {
-    decide(a, b, at).unwrap_or(Common::Open)
+    decide(a, b, at, &|_| false).unwrap_or(Common::Open)
+}
+
+/// The space about an axis in which two solids may overlap, as threads and press fits do.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sleeve {
+    /// A point of the axis, in mm.
+    pub point: [f64; 3],
+    /// Unit direction of the axis.
+    pub direction: [f64; 3],
+    /// How far it reaches about the axis, in mm.
+    pub radius: f64,
+}
+
+impl Sleeve {
+    pub(super) fn holds(&self, point: &V) -> bool {
+        let arm = point - V::from(self.point);
+        super::patch::across(&arm, &V::from(self.direction)).norm() <= self.radius
+    }
+}
+
+/// As [`common`], but for what lies within some sleeves: where a triangle of either lies there whole, so does all
+/// that it has in common with the other.
+#[must_use]
+pub fn common_beside(a: &Boundary, b: &Boundary, at: &Placement, sleeves: &[Sleeve]) -> Common {
+    let meant = |t: &[V; 3]| sleeves.iter().any(|s| t.iter().all(|p| s.holds(p)));
+    decide(a, b, at, &meant).unwrap_or(Common::Open)
 }
 
 /// None where something cannot be shown.
-fn decide(a: &Boundary, b: &Boundary, at: &Placement) -> Option<Common> {
+fn decide(
+    a: &Boundary,
+    b: &Boundary,
+    at: &Placement,
+    meant: &dyn Fn(&[V; 3]) -> bool,
+) -> Option<Common> {
     let reach = a.off() + b.off();
     let region = a.bounds().loosened(reach);
     let back = at.inverse();
@@ -47,9 +78,15 @@ fn decide(a: &Boundary, b: &Boundary, at: &Placement) -> Option<Common> {
         let (index_b, face_b, own) = b.triangle(leaf)?;
         let tri_b = own.map(|p| V::from(at.point(p.into())));
         let normal_b = unit_normal(&tri_b);
+        if meant(&tri_b) {
+            continue;
+        }
         let around = aabb(&tri_b).loosened(reach);
         for other in a.tree().leaves(|node| node.aabb().intersects(&around)) {
             let (index_a, face_a, tri_a) = a.triangle(other)?;
+            if meant(&tri_a) {
+                continue;
+            }
             let pair = faces.entry((index_a, index_b)).or_insert_with(|| {
                 let (on_a, on_b) = (Patch::face(a, whole, face_a), Patch::face(b, at, face_b));
                 let parted = outside(&on_a, &on_b) || outside(&on_b, &on_a);

@@ -1,5 +1,6 @@
 //! What can be asked: one kind of question, one file.
 
+pub mod beyond;
 pub mod built;
 pub mod contact;
 pub mod distance;

@@ -8,6 +8,9 @@ use crate::narrow::{Common, common, enter};
 use crate::pair::Pair;
 use crate::pose;
 
+/// What is said of a boolean that finds nothing against points that lie within both.
+pub const ENTERS: &str = "points of one solid's skin lie within the other, where it finds nothing";
+
 /// The volume that two solids have in common, and an estimate of it from so many points where the kernel has to
 /// be asked. What the skins show to be nothing needs neither.
 #[derive(Debug)]
@@ -54,10 +57,7 @@ impl Question for Overlap {
             (Reply::CommonVolume(mut found), _) => {
                 // A boolean may be wrong and say nothing.
                 if shown == Shown::Within && found.volume <= 0.0 {
-                    found.warnings.push(
-                        "points of one solid's skin lie within the other, where it finds nothing"
-                            .to_owned(),
-                    );
+                    found.warnings.push(ENTERS.to_owned());
                 }
                 Ok(found)
             }

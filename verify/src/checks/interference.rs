@@ -1,8 +1,10 @@
 //! The check `interference`: no two parts have more in common than their mates mean.
 
-use assemcad_geometry::Asker;
+use assemcad_geometry::{Asker, ENTERS};
 use assemcad_kernel::protocol::CommonVolume;
 use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::frame::Frame;
+use assemcad_model::ports::Port;
 use assemcad_model::report::{Finding, Overlapping, PairFacts, Verdict, rounded};
 use assemcad_model::spec::Assembly;
 use assemcad_placing::solids::{BOX_MARGIN_MM, common_volume, near_pairs};
@@ -12,6 +14,7 @@ use serde_json::{Map, json};
 
 use crate::results::Results;
 
+mod beyond;
 mod clash;
 mod thread;
 
@@ -66,6 +69,9 @@ pub(crate) async fn check(
         let allowed = allowed_by(mated.get(&(i, j)).into_iter().flatten().copied());
         let place = common.as_ref().ok().and_then(|v| v.place);
         let mut found = judge(&a, &b, common, tau, &allowed);
+        if found.class == Overlapping::Expected && found.verdict == Verdict::Pass {
+            Box::pin(beyond::check(door, assembled, (i, j), &allowed, &mut found)).await;
+        }
         if let (Overlapping::Clash, Some(finding)) = (found.class, &mut found.finding) {
             clashes += 1;
             let clash = clash::Clash {
@@ -124,6 +130,9 @@ pub(crate) async fn check(
     facts
 }
 
+/// So many points inside both solids are no misclassification.
+const MANY: u32 = 10;
+
 /// What is known of a pair after its common volume was asked for.
 #[derive(Debug)]
 pub struct Judged {
@@ -141,9 +150,28 @@ pub struct Judged {
 #[derive(Debug, Default)]
 pub struct Allowed {
     mates: Vec<String>,
+    meant: Vec<Meant>,
     least_mm3: f64,
     most_mm3: f64,
     why: Vec<String>,
+}
+
+/// Where a mate means an overlap: about an axis of a part.
+#[derive(Debug, Clone)]
+struct Meant {
+    part: usize,
+    frame: Frame,
+    radius_mm: f64,
+}
+
+/// The larger of the radii of a mate's two ports.
+fn widest(m: &ResolvedMate) -> f64 {
+    let of = |p: &Port| {
+        let named = ["modelled_diameter", "diameter"];
+        let values = named.iter().filter_map(|n| p.params.get(*n).copied());
+        values.fold(0.0, f64::max) / 2.0
+    };
+    of(&m.base_port).max(of(&m.incoming_port))
 }
 
 /// How far an expected overlap may be from what its mates say, as a share of it.
@@ -229,6 +257,21 @@ fn weigh(
             .hint("treat it as an overlap, or change the parameters slightly and verify again")
     };
     let unknown = |d| (Verdict::Indeterminate, Overlapping::Unknown, Some(d));
+    if v.volume <= tau && v.inside >= MANY {
+        let about = rounded(estimate);
+        let d = Diagnostic::error(
+            Code::Clash,
+            place,
+            format!(
+                "{} of {} points spread over their common box lie inside both, about {about} mm3, where the \
+                 kernel's boolean finds {found} mm3",
+                v.inside, v.samples
+            ),
+        )
+        .found(about)
+        .hint("change the parameters of one part, or the offsets of the mate that places it");
+        return (Verdict::Fail, Overlapping::Clash, Some(d));
+    }
     if !agrees(v, estimate, tau) {
         return unknown(open(format!(
             "the kernel finds a common volume of {found} mm3, but {} of {} points spread over their common \
@@ -238,7 +281,9 @@ fn weigh(
             rounded(estimate)
         )));
     }
-    if !v.warnings.is_empty() {
+    // Two measures that find nothing outweigh a warning; one that points contradict does not count.
+    let nothing = v.volume <= tau && v.inside == 0 && v.warnings.iter().all(|w| w != ENTERS);
+    if !v.warnings.is_empty() && !nothing {
         let warned = v.warnings.join("; ");
         let message = format!("the kernel finds {found} mm3 in common, but warns: {warned}");
         return unknown(open(message));
@@ -288,6 +333,13 @@ fn allowed_by<'a>(mates: impl Iterator<Item = &'a ResolvedMate>) -> Allowed {
     for m in mates {
         let overlap = m.mate.mate_type.kind().overlap(&m.joint());
         out.mates.push(m.mate.id.clone());
+        if overlap.most_mm3 > 0.0 {
+            out.meant.push(Meant {
+                part: m.base,
+                frame: m.base_port.frame,
+                radius_mm: widest(m),
+            });
+        }
         out.least_mm3 += overlap.least_mm3;
         out.most_mm3 += overlap.most_mm3;
         if !overlap.why.is_empty() {

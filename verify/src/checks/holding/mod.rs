@@ -23,6 +23,8 @@ use futures::future::join_all;
 
 use crate::results::Results;
 
+mod fits;
+mod holes;
 mod loose;
 
 const CHECK: &str = "holding";
@@ -72,10 +74,10 @@ pub(crate) async fn check(
             coupled: &claims.coupled,
         });
         let loose = loose::loose(&held, &links);
-        (held, loose)
+        (held, loose, pairs)
     })
     .await;
-    let Ok((held, loose)) = looked else {
+    let Ok((held, loose, pairs)) = looked else {
         results.check(CHECK, Verdict::Indeterminate, cases, HOW);
         return;
     };
@@ -89,7 +91,10 @@ pub(crate) async fn check(
         verdict = verdict.and(Verdict::Indeterminate);
         results.find(Verdict::Indeterminate, CHECK, names, d);
     }
-    for finding in loose::told(spec, resolved, &held, &loose) {
+    let mut told = loose::told(spec, resolved, &held, &loose);
+    told.extend(fits::told(resolved, &held));
+    told.extend(holes::told(door, assembled, &held, &pairs).await);
+    for finding in told {
         verdict = verdict.and(finding.verdict);
         results.findings.push(finding);
     }
