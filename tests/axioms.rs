@@ -239,7 +239,7 @@ fn gears_that_break_an_axiom() {
                 "incoming": {"ref": other[0], "port": other[1]},
             })
         };
-        let face = |u: f64| json!({"u_mm": u});
+        let face = |u: f64| json!({"u_mm": u, "bond": "glued"});
         let mates = [
             draft_mates(
                 "l",
@@ -286,7 +286,7 @@ fn gears_that_break_an_axiom() {
             .into_iter()
             .map(|(id, factory, params)| json!({"id": id, "factory": factory, "params": params}))
             .collect();
-        let text = json!({"assembly": {"id": name, "parts": parts, "mates": mates}}).to_string();
+        let text = json!({"assembly": {"id": name, "intended_mobility": 3, "parts": parts, "mates": mates}}).to_string();
         let answer = kit.ok("realize", json!({"draft": text, "keep_failed": true}));
         assert_eq!(answer["realized"], true, "{answer}");
         full(&mut kit, name)

@@ -257,7 +257,7 @@ fn arguments_of_every_wrong_type() {
     let (mut kit, before) = kit();
     let tools = kit.session.request("tools/list", json!({})).unwrap();
     let tools = tools["result"]["tools"].as_array().unwrap().clone();
-    assert_eq!(tools.len(), 17);
+    assert_eq!(tools.len(), 18);
     let wrong = [
         json!(null),
         json!(-1),

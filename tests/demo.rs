@@ -132,7 +132,7 @@ fn script() -> Vec<(&'static str, Value)> {
             "face_to_face",
             ["plate:top_face", "block:bottom_face"],
             &["C-01"],
-            json!({}),
+            json!({"bond": "welded"}),
         ),
         // Each bearing flush with its end of the bore: its middle half its width behind the mouth.
         mate(
@@ -165,6 +165,10 @@ fn script() -> Vec<(&'static str, Value)> {
             ["bearing_back:inner_ring", "shaft:shaft_seat_1"],
             &["P-01"],
             json!({}),
+        ),
+        (
+            "state_intent",
+            json!({"assembly": ASSEMBLY, "intended_motions": [{"part": "shaft", "turns_about": "y"}]}),
         ),
         ("verify", json!({"assembly": ASSEMBLY})),
         ("export_step", json!({"assembly": ASSEMBLY})),

@@ -170,6 +170,16 @@ impl Kit {
             "assembly": assembly, "id": "m5", "mate_type": "coaxial",
             "base": "back:inner_ring", "incoming": "shaft:shaft_seat_1", "axioms": ["C-02", "P-01"],
         }));
+        self.intent(
+            assembly,
+            json!({"intended_motions": [{"part": "shaft", "turns_about": "y"}]}),
+        );
+    }
+
+    /// States what is meant beside parts and mates.
+    pub fn intent(&mut self, assembly: &str, mut stated: Value) {
+        stated["assembly"] = json!(assembly);
+        self.ok("state_intent", stated);
     }
 
     fn block_with_bearing(&mut self, assembly: &str, ring: &str, shaft: Value) {
@@ -182,6 +192,7 @@ impl Kit {
         self.mate(json!({
             "assembly": assembly, "id": "m1", "mate_type": "face_to_face",
             "base": "plate:top_face", "incoming": "block:bottom_face", "axioms": ["C-01"],
+            "bond": "welded",
         }));
         self.mate(json!({
             "assembly": assembly, "id": "m2", "mate_type": ring,

@@ -188,6 +188,7 @@ fn faces_that_share_only_an_edge_do_not_touch() {
             "assembly": "a", "id": "m", "mate_type": "face_to_face",
             "base": "base:top", "incoming": "top:bottom", "u_mm": shift,
         }));
+        kit.intent("a", json!({"free": [{"part": "top"}]}));
         let report = full(&mut kit, "a");
         let found = codes_of(&report);
         match area {
@@ -216,6 +217,7 @@ fn a_shaft_pulled_out_of_its_bearing_is_found() {
         "assembly": "a", "id": "m", "mate_type": "coaxial", "d_mm": 100,
         "base": "bearing:inner_ring", "incoming": "shaft:shaft_seat_1",
     }));
+    kit.intent("a", json!({"free": [{"part": "shaft"}]}));
     assert_eq!(
         codes_of(&full(&mut kit, "a")),
         [("contact".to_owned(), "contact_missing".to_owned())]
@@ -230,7 +232,7 @@ fn a_corner_of_a_face() {
     kit.part("a", "top", "test.block", json!({"size": 10}));
     kit.mate(json!({
         "assembly": "a", "id": "m", "mate_type": "snap_to_face",
-        "base": "base:top", "incoming": "top:bottom", "u": 0.25, "v": 0.75,
+        "base": "base:top", "incoming": "top:bottom", "u": 0.25, "v": 0.75, "bond": "glued",
     }));
     let report = full(&mut kit, "a");
     assert_eq!(codes_of(&report), []);
@@ -268,6 +270,7 @@ fn gears_mesh_tooth_in_gap_for_all_parities() {
             "mate_type"
         );
         kit.mate(call("two:mesh_point", 2.0));
+        kit.intent("a", json!({"free": [{"part": "two"}]}));
         let report = full(&mut kit, "a");
         assert_eq!(codes_of(&report), [], "{report}");
         assert_eq!(mate(&report, "m")["contact"], "pass");

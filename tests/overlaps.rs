@@ -15,7 +15,7 @@ fn beside(kit: &mut Kit, shape: &str, h: f64) {
         kit.part("a", part, "test.body", json!({"shape": shape}));
         kit.mate(json!({
             "assembly": "a", "id": part, "mate_type": "face_to_face",
-            "base": "plate:top_face", "incoming": format!("{part}:foot"), "u_mm": u,
+            "base": "plate:top_face", "incoming": format!("{part}:foot"), "u_mm": u, "bond": "glued",
         }));
     }
 }
@@ -165,7 +165,7 @@ fn the_same_part_twice_in_one_place_is_told_as_that() {
         kit.part("a", part, "test.block", json!({"size": 10}));
         kit.mate(json!({
             "assembly": "a", "id": part, "mate_type": "face_to_face", "base": "base:top",
-            "incoming": format!("{part}:bottom"), "alpha_deg": alpha,
+            "incoming": format!("{part}:bottom"), "alpha_deg": alpha, "bond": "glued",
         }));
     }
     let report = verified(&mut kit, json!({}));

@@ -157,6 +157,7 @@ assembly:
       mate_type: face_to_face
       base: {ref: plate, port: top_face}
       incoming: {ref: block, port: bottom_face}
+      options: {bond: welded}
       axioms: [C-01]
     - id: m2
       mate_type: coaxial

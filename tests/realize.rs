@@ -196,6 +196,21 @@ assembly:
   notes: \"Reasons may take\\nseveral lines.\\n\"
   root: block
   intended_mobility: 3
+  intended_motions:
+    - part: plate
+      slides_along: x
+    - part: plate
+      slides_along: y
+    - part: plate
+      turns_about: z
+  free:
+    - part: plate
+      slides_along: z
+      reason: \"it lies on the block\"
+  accept:
+    - axiom: N-02
+      parts: [block]
+      reason: \"a thin wall is meant\"
   parts:
     - id: plate
       factory: base_frame.rect_plate

@@ -155,7 +155,7 @@ fn unknown_names_are_answered_with_the_valid_ones() {
 
     let d = kit.refusal("make_coffee", json!({}));
     assert_eq!(d["code"], "tool_unknown");
-    assert_eq!(d["expected"].as_array().unwrap().len(), 17);
+    assert_eq!(d["expected"].as_array().unwrap().len(), 18);
 }
 
 #[test]

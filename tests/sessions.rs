@@ -133,7 +133,7 @@ fn calls_made_twice_change_nothing() {
     assert_eq!(again["changed"], false);
     let again = kit.mate(json!({
         "assembly": "stand", "id": "m1", "mate_type": "face_to_face",
-        "base": "plate:top_face", "incoming": "block:bottom_face", "axioms": ["C-01"],
+        "base": "plate:top_face", "incoming": "block:bottom_face", "axioms": ["C-01"], "bond": "welded",
     }));
     assert_eq!(again["changed"], false);
     assert_eq!(kit.files(), before);

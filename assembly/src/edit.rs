@@ -6,7 +6,7 @@ use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::mates::Residual;
 use assemcad_model::report::rounded;
 use assemcad_model::spec::text::normalise;
-use assemcad_model::spec::{Assembly, Mate, Part};
+use assemcad_model::spec::{Accepted, Assembly, Mate, Part, PartMotion};
 use assemcad_placing::resolved::part_unknown;
 use assemcad_placing::solids::{Box3, box_of, build};
 use assemcad_placing::{Placements, Resolved, ResolvedMate, ResolvedPart, place};
@@ -25,6 +25,19 @@ pub enum Change {
     Made,
     /// All was already so.
     None,
+}
+
+/// What is stated beside parts and mates; none of what stays as it was.
+#[derive(Debug, Default)]
+pub struct Intent {
+    /// How many independent motions are meant.
+    pub intended_mobility: Option<u32>,
+    /// Which they are.
+    pub intended_motions: Option<Vec<PartMotion>>,
+    /// What may lie loose.
+    pub free: Option<Vec<PartMotion>>,
+    /// Which rules are broken knowingly.
+    pub accept: Option<Vec<Accepted>>,
 }
 
 /// A part as it was added.
@@ -245,6 +258,42 @@ impl Workshop {
         self.commit(&spec, Change::Made).await
     }
 
+    /// States what is meant beside parts and mates. What is left out stays as it was.
+    ///
+    /// # Errors
+    /// When it names parts that are not there, or contradicts itself.
+    pub async fn state_intent(
+        &self,
+        assembly: &str,
+        intent: Intent,
+    ) -> Result<(Change, State), Faults> {
+        let _lock = self.store.lock(assembly).await.map_err(one)?;
+        let mut spec = self.store.load(assembly).map_err(one)?;
+        let before = spec.clone();
+        if intent.intended_mobility.is_some() {
+            spec.intended_mobility = intent.intended_mobility;
+        }
+        if let Some(motions) = intent.intended_motions {
+            spec.intended_motions = motions;
+        }
+        if let Some(free) = intent.free {
+            spec.free = free;
+        }
+        if let Some(accept) = intent.accept {
+            spec.accept = accept;
+        }
+        let faults = spec.stated_faults();
+        if !faults.is_empty() {
+            return Err(faults);
+        }
+        let change = if spec == before {
+            Change::None
+        } else {
+            Change::Made
+        };
+        Ok((change, self.commit(&spec, change).await?))
+    }
+
     /// Removes a part that no mate uses.
     ///
     /// # Errors
@@ -274,6 +323,12 @@ impl Workshop {
         if spec.root.as_deref() == Some(id) {
             spec.root = None;
         }
+        spec.intended_motions.retain(|m| m.part != id);
+        spec.free.retain(|m| m.part != id);
+        for a in &mut spec.accept {
+            a.parts.retain(|p| p != id);
+        }
+        spec.accept.retain(|a| !a.parts.is_empty());
         self.commit(&spec, Change::Made).await
     }
 

@@ -87,6 +87,8 @@ pub struct Held {
     pub why: Vec<(usize, usize, Reason)>,
     /// What moves, apart from each other.
     pub free: Vec<Free>,
+    /// Whether some contacts between bodies are known by triangles alone: their directions are not exact.
+    pub approximate: bool,
     /// Screws that go through parts which they do not press.
     pub idle_screws: Vec<IdleScrew>,
     /// Cylinders that are thicker than the hole that they are in and are no threads.
@@ -219,8 +221,10 @@ pub fn held(of: &Placed<'_>) -> Held {
     let free = free
         .into_iter()
         .map(|members| free_of(&members, &contacts, has_still));
+    let approximate = contacts.iter().any(|c| c.rough);
     Held {
         free: free.collect(),
+        approximate,
         idle_screws: idle_screws(of, &engaged, &body_of),
         tight: tight(of, &engaged),
         bodies,
@@ -302,6 +306,8 @@ struct Contact {
     first: usize,
     second: usize,
     hold: Hold,
+    /// Known by triangles alone.
+    rough: bool,
 }
 
 enum Hold {
@@ -313,7 +319,7 @@ enum Hold {
 
 fn contacts(of: &Placed<'_>, engaged: &[Engaged], body_of: &[usize]) -> Vec<Contact> {
     let mut out = Vec::new();
-    let mut add = |a: usize, b: usize, hold: Hold| {
+    let mut add = |a: usize, b: usize, rough: bool, hold: Hold| {
         let (Some(first), Some(second)) = (body_of.get(a), body_of.get(b)) else {
             return;
         };
@@ -322,6 +328,7 @@ fn contacts(of: &Placed<'_>, engaged: &[Engaged], body_of: &[usize]) -> Vec<Cont
                 first: *first,
                 second: *second,
                 hold,
+                rough,
             });
         }
     };
@@ -338,22 +345,27 @@ fn contacts(of: &Placed<'_>, engaged: &[Engaged], body_of: &[usize]) -> Vec<Cont
                 continue;
             }
             for spot in &meeting.spots {
-                add(pair.a, pair.b, Hold::Spot(*spot));
+                add(
+                    pair.a,
+                    pair.b,
+                    meeting.kind == Kind::Free,
+                    Hold::Spot(*spot),
+                );
             }
             if let Some(about) = &meeting.about {
                 let (point, axis) = (V::from(about.point), V::from(about.direction));
-                add(pair.a, pair.b, Hold::Axis { point, axis });
+                add(pair.a, pair.b, false, Hold::Axis { point, axis });
             }
         }
     }
     for c in of.coupled {
         let (at, direction) = (c.at, c.direction);
-        add(c.a, c.b, Hold::Both { at, direction });
+        add(c.a, c.b, false, Hold::Both { at, direction });
     }
     for e in engaged {
         if threaded(e.screw, e.nut, engaged) {
             let (point, axis, lead) = (e.point, e.way, e.lead);
-            add(e.nut, e.screw, Hold::Screw { point, axis, lead });
+            add(e.nut, e.screw, false, Hold::Screw { point, axis, lead });
         }
     }
     out

@@ -26,6 +26,7 @@ mod realize;
 mod remove;
 mod render;
 mod schema;
+mod state_intent;
 mod sweep;
 mod synthesize_factory;
 mod validate_draft;
@@ -191,6 +192,7 @@ pub fn all() -> Vec<Offer> {
         Offer::of::<realize::Realize>(),
         Offer::of::<remove::Remove>(),
         Offer::of::<render::Render>(),
+        Offer::of::<state_intent::StateIntent>(),
         Offer::of::<sweep::SweepMotion>(),
         Offer::of::<synthesize_factory::SynthesizeFactory>(),
         Offer::of::<validate_draft::ValidateDraft>(),

@@ -88,9 +88,9 @@ pub async fn verify(
     contact::check(door, placed, &pairs, &mut mates, tau_mm3, &mut results).await;
     connectivity::check(spec, resolved, &mut results);
     // On the heap: one future of all checks would be too large for a thread of the server.
-    Box::pin(holding::check(door, spec, &assembled, &mates, &mut results)).await;
+    let moves = Box::pin(holding::check(door, spec, &assembled, &mates, &mut results)).await;
     port_use::check(spec, resolved, &mut results);
-    let freedom = freedom::check(spec, resolved, placements, &mut results);
+    let freedom = freedom::check(spec, resolved, placements, moves.as_ref(), &mut results);
     let measured = Measurements {
         parts: &parts,
         mates: &mates,

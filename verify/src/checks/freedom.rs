@@ -13,6 +13,7 @@ use assemcad_placing::linkage::system;
 use assemcad_placing::{Placements, Resolved};
 use serde_json::{Map, json};
 
+use crate::checks::holding::Moves;
 use crate::results::Results;
 
 /// How many motions and mates a sentence names; the report has them all.
@@ -23,6 +24,7 @@ pub(crate) fn check(
     spec: &Assembly,
     resolved: &Resolved,
     placements: &Placements,
+    moves: Option<&Moves>,
     results: &mut Results,
 ) -> Option<Freedom> {
     let cases = resolved.mates.len();
@@ -37,7 +39,7 @@ pub(crate) fn check(
             return None;
         }
     };
-    let (verdict, said, found) = judge(&freedom, spec);
+    let (verdict, said, found) = judge(&freedom, moves, spec);
     results.check("freedom", verdict, cases, &format!("{HOW}: {said}"));
     results.findings.extend(found);
     Some(freedom)
@@ -47,7 +49,11 @@ const HOW: &str =
     "rank of the mates' constraints at the placed pose, finite steps where some are redundant";
 
 /// The verdict, what was found in a sentence, and the finding if there is one.
-fn judge(freedom: &Freedom, spec: &Assembly) -> (Verdict, String, Option<Finding>) {
+fn judge(
+    freedom: &Freedom,
+    moves: Option<&Moves>,
+    spec: &Assembly,
+) -> (Verdict, String, Option<Finding>) {
     let open = |message: String| {
         let d = Diagnostic::error(Code::Indeterminate, "freedom", message);
         finding(Verdict::Indeterminate, d)
@@ -60,7 +66,7 @@ fn judge(freedom: &Freedom, spec: &Assembly) -> (Verdict, String, Option<Finding
     };
     let said = summary(freedom, first_order);
     let Some(intended) = spec.motions_meant() else {
-        return unstated(freedom, spec, said);
+        return unstated(freedom, moves, spec, said);
     };
     let wanted = intended as usize;
     let Some(lasting) = freedom.lasting_mobility else {
@@ -71,14 +77,9 @@ fn judge(freedom: &Freedom, spec: &Assembly) -> (Verdict, String, Option<Finding
         let found = with_values(open(message), freedom, intended);
         return (Verdict::Indeterminate, said, Some(found));
     };
-    let loose = freedom
-        .motions
-        .iter()
-        .filter(|m| !m.idle && may_be_loose(m, spec));
-    let loose: usize = loose.map(|m| m.count).sum();
-    let real = lasting.saturating_sub(idle_spins(freedom, spec) + loose);
+    let real = real(freedom, lasting, moves, spec);
     if real == wanted {
-        return match not_made(freedom, spec) {
+        return match not_made(freedom, moves, spec) {
             None => (Verdict::Pass, format!("{said}; as intended"), None),
             Some(d) => {
                 let found = with_values(finding(Verdict::Fail, d), freedom, intended);
@@ -107,7 +108,7 @@ fn judge(freedom: &Freedom, spec: &Assembly) -> (Verdict, String, Option<Finding
     let free = if real == 0 {
         "nothing moves".to_owned()
     } else {
-        brief(&names(false))
+        brief(&told(moves, names(false)))
     };
     let d = Diagnostic::error(
         Code::MobilityDiffers,
@@ -137,18 +138,43 @@ fn judge(freedom: &Freedom, spec: &Assembly) -> (Verdict, String, Option<Finding
     (Verdict::Fail, said, Some(found))
 }
 
+/// How many motions the mates leave that no contact stops, without idle spins and what may lie loose.
+fn real(freedom: &Freedom, lasting: usize, moves: Option<&Moves>, spec: &Assembly) -> usize {
+    let loose = freedom
+        .motions
+        .iter()
+        .filter(|m| !m.idle && may_be_loose(m, spec));
+    let loose: usize = loose.map(|m| m.count).sum();
+    let left = lasting.saturating_sub(idle_spins(freedom, spec) + loose);
+    match moves {
+        Some(m) if !m.approximate => left.min(m.real),
+        _ => left,
+    }
+}
+
+/// What moves in words: what was found in the solids, or what the mates leave.
+fn told(moves: Option<&Moves>, by_mates: Vec<String>) -> Vec<String> {
+    match moves {
+        Some(m) if !m.words.is_empty() => m.words.clone(),
+        _ => by_mates,
+    }
+}
+
 /// What nobody states is not meant: a hub without a ring slides off, whatever its mate leaves free.
 fn unstated(
     freedom: &Freedom,
+    moves: Option<&Moves>,
     spec: &Assembly,
     said: String,
 ) -> (Verdict, String, Option<Finding>) {
     let free: Vec<&Motion> = freedom
         .motions
         .iter()
-        .filter(|m| !m.idle && !may_be_loose(m, spec))
+        // What floats is joined to nothing, which is told as that.
+        .filter(|m| m.count == 1 && !m.idle && !may_be_loose(m, spec))
         .collect();
-    let real: usize = free.iter().map(|m| m.count).sum();
+    let left = free.iter().map(|m| m.count).sum::<usize>() + freedom.idle_spins;
+    let real = real(freedom, left, moves, spec);
     if real == 0 {
         return (Verdict::Pass, said, None);
     }
@@ -160,7 +186,7 @@ fn unstated(
             "{} free and nothing states that {} meant: {}",
             motions(real),
             if real == 1 { "it is" } else { "they are" },
-            brief(&names)
+            brief(&told(moves, names))
         ),
     )
     .found(real)
@@ -168,10 +194,13 @@ fn unstated(
         "hold what should not move by a further mate, or state what is meant: intended_mobility: {real}, or free \
          with the part and the motion"
     ));
-    let mut parts: Vec<String> = free
-        .iter()
-        .flat_map(|m| m.bodies.iter().map(|b| b.body.clone()))
-        .collect();
+    let mut parts: Vec<String> = match moves {
+        Some(m) if !m.parts.is_empty() => m.parts.clone(),
+        _ => free
+            .iter()
+            .flat_map(|m| m.bodies.iter().map(|b| b.body.clone()))
+            .collect(),
+    };
     parts.sort();
     parts.dedup();
     let found = Finding {
@@ -207,14 +236,18 @@ fn makes(body: &BodyMotion, stated: &PartMotion) -> bool {
 }
 
 /// The first intended motion that no free one is: their number alone may be right by the wrong parts.
-fn not_made(freedom: &Freedom, spec: &Assembly) -> Option<Diagnostic> {
+fn not_made(freedom: &Freedom, moves: Option<&Moves>, spec: &Assembly) -> Option<Diagnostic> {
     let bodies = || freedom.motions.iter().flat_map(|m| &m.bodies);
     let (index, motion) = spec
         .intended_motions
         .iter()
         .enumerate()
-        .find(|(_, i)| !bodies().any(|b| makes(b, i)))?;
+        .find(|(i, m)| match moves {
+            Some(moves) if !moves.approximate => moves.missing.contains(i),
+            _ => !bodies().any(|b| makes(b, m)),
+        })?;
     let names: Vec<String> = freedom.motions.iter().map(|m| m.name.clone()).collect();
+    let names = told(moves, names);
     Some(
         Diagnostic::error(
             Code::MobilityDiffers,

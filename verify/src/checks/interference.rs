@@ -257,7 +257,7 @@ fn weigh(
             .hint("treat it as an overlap, or change the parameters slightly and verify again")
     };
     let unknown = |d| (Verdict::Indeterminate, Overlapping::Unknown, Some(d));
-    if v.volume <= tau && v.inside >= MANY {
+    if v.volume <= tau && v.inside >= MANY && estimate > most {
         let about = rounded(estimate);
         let d = Diagnostic::error(
             Code::Clash,

@@ -1,5 +1,7 @@
 use std::sync::Arc;
 
+use assemcad_model::diagnostic::Code;
+
 use assemcad_model::frame::Frame;
 use assemcad_model::freedom::{Motion, Redundant};
 use assemcad_model::mates::MateType;
@@ -99,7 +101,7 @@ fn checked(resolved: &Resolved, intended: Option<u32>) -> (Option<Freedom>, Resu
     spec.intended_mobility = intended;
     let placed = place::assembly(resolved).unwrap();
     let mut results = Results::default();
-    let freedom = check(&spec, resolved, &placed, &mut results);
+    let freedom = check(&spec, resolved, &placed, None, &mut results);
     (freedom, results)
 }
 
@@ -123,13 +125,14 @@ fn a_lid_slides_twice_and_turns_and_that_is_compared() {
     assert_eq!(freedom.unwrap().mobility, Some(3));
     assert_eq!(
         (results.checks[0].verdict, results.findings.len()),
-        (Verdict::Pass, 0)
+        (Verdict::Fail, 1)
     );
-    assert!(
-        results.checks[0]
-            .how
-            .ends_with("not compared, since no intended_mobility is stated")
+    assert_eq!(
+        results.findings[0].diagnostic.code,
+        Code::MobilityDiffers,
+        "nothing states that it is meant"
     );
+    assert!(results.checks[0].how.ends_with("not stated as intended"));
     assert!(
         results.checks[0]
             .how
@@ -269,7 +272,7 @@ fn idle_spins_do_not_pass_for_motions() {
         joints: Vec::new(),
         islands: Vec::new(),
     };
-    let verdict = |real, intended| judge(&freedom(real), &meant(Some(intended))).0;
+    let verdict = |real, intended| judge(&freedom(real), None, &meant(Some(intended))).0;
     assert_eq!(
         (verdict(1, 1), verdict(0, 0)),
         (Verdict::Pass, Verdict::Pass)
@@ -282,9 +285,15 @@ fn idle_spins_do_not_pass_for_motions() {
     );
     let mut unknown = freedom(1);
     unknown.lasting_mobility = None;
-    assert_eq!(judge(&unknown, &meant(Some(1))).0, Verdict::Indeterminate);
+    assert_eq!(
+        judge(&unknown, None, &meant(Some(1))).0,
+        Verdict::Indeterminate
+    );
     unknown.mobility = None;
-    assert_eq!(judge(&unknown, &meant(None)).0, Verdict::Indeterminate);
+    assert_eq!(
+        judge(&unknown, None, &meant(None)).0,
+        Verdict::Indeterminate
+    );
 }
 
 /// Mates taken in order, again and again until none reaches a new part: as it is said, and slowly.

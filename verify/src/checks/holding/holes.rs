@@ -1,7 +1,6 @@
 //! Holes of parts that lie on each other: those that meet at the common face are in line, whether a mate or a screw
 //! goes through them or not.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use assemcad_facts::{Held, PairMeetings};
@@ -36,10 +35,7 @@ pub(super) async fn told(
     held: &Held,
     pairs: &[PairMeetings],
 ) -> Vec<Finding> {
-    let mut body_of = BTreeMap::new();
-    for (body, parts) in held.bodies.iter().enumerate() {
-        body_of.extend(parts.iter().map(|p| (*p, body)));
-    }
+    let body_of = super::loose::body_of(held);
     let mut out = Vec::new();
     for pair in pairs {
         // Parts that move against each other have holes that pass each other.

@@ -32,10 +32,7 @@ pub(super) struct Loose {
 /// Every loose body once, by its simplest motion, with what it pushes along; of what is loose in no simple way, one
 /// motion.
 pub(super) fn loose(held: &Held, links: &[Link]) -> Vec<Loose> {
-    let mut body_of = BTreeMap::new();
-    for (body, parts) in held.bodies.iter().enumerate() {
-        body_of.extend(parts.iter().map(|p| (*p, body)));
-    }
+    let body_of = body_of(held);
     let mut out = Vec::new();
     for free in &held.free {
         let Some(basis) = free.basis.as_ref().filter(|b| b.ncols() > 0) else {
@@ -79,15 +76,22 @@ pub(super) fn loose(held: &Held, links: &[Link]) -> Vec<Loose> {
     out
 }
 
-/// A link's rows, between two bodies of an island; none for what stands still.
-struct Claim {
-    link: usize,
-    first: Option<usize>,
-    second: Option<usize>,
-    rows: Vec<Vector6<f64>>,
+/// The body of each part.
+pub(super) fn body_of(held: &Held) -> BTreeMap<usize, usize> {
+    let each = held.bodies.iter().enumerate();
+    each.flat_map(|(body, parts)| parts.iter().map(move |p| (*p, body)))
+        .collect()
 }
 
-fn claims(free: &Free, links: &[Link], body_of: &BTreeMap<usize, usize>) -> Vec<Claim> {
+/// A link's rows, between two bodies of an island; none for what stands still.
+pub(super) struct Claim {
+    link: usize,
+    pub(super) first: Option<usize>,
+    pub(super) second: Option<usize>,
+    pub(super) rows: Vec<Vector6<f64>>,
+}
+
+pub(super) fn claims(free: &Free, links: &[Link], body_of: &BTreeMap<usize, usize>) -> Vec<Claim> {
     let index = |part: usize| {
         let body = body_of.get(&part)?;
         free.bodies.iter().position(|b| b == body)
@@ -278,7 +282,7 @@ fn finding(resolved: &Resolved, held: &Held, all: &[&Loose]) -> Option<Finding> 
 }
 
 /// A direction in words where it is one of the world's.
-fn direction(along: [f64; 3]) -> String {
+pub(super) fn direction(along: [f64; 3]) -> String {
     for (k, axis) in ["x", "y", "z"].iter().enumerate() {
         for (sign, word) in [(1.0, "+"), (-1.0, "-")] {
             let other = along.iter().enumerate().all(|(i, v)| {

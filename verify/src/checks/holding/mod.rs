@@ -26,26 +26,29 @@ use crate::results::Results;
 mod fits;
 mod holes;
 mod loose;
+mod moves;
+
+pub(crate) use moves::Moves;
 
 const CHECK: &str = "holding";
 
 const HOW: &str = "motions that no contact of the placed solids stops, held against those that the mates say they hold; \
     threads, press fits, stated bonds and what lies in the grip of a screw are one body";
 
-/// Finds the parts that nothing holds.
+/// Finds the parts that nothing holds, and what really moves; none where that could not be told.
 pub(crate) async fn check(
     door: Asker<'_>,
     spec: &Assembly,
     assembled: &Assembled<'_>,
     mates: &[MateFacts],
     results: &mut Results,
-) {
+) -> Option<Moves> {
     let resolved = assembled.resolved;
     let cases = resolved.parts.len();
     // What the mates say can be held against facts only where they hold; else that is told elsewhere.
     let Ok(system) = system(resolved, assembled.placements) else {
         results.check(CHECK, Verdict::Indeterminate, cases, HOW);
-        return;
+        return None;
     };
     let (pairs, open) = meetings(door, assembled).await;
     let mut verdict = if open.is_empty() {
@@ -61,6 +64,7 @@ pub(crate) async fn check(
     let ground: Vec<usize> = resolved.root.into_iter().collect();
     let parts = resolved.parts.len();
     let (links, count) = (system.links, parts);
+    let spins: Vec<_> = system.bodies.iter().map(|b| b.spin).collect();
     // Much work where many parts are loose: not for the threads that answer.
     let looked = tokio::task::spawn_blocking(move || {
         let held = held(&Placed {
@@ -74,12 +78,12 @@ pub(crate) async fn check(
             coupled: &claims.coupled,
         });
         let loose = loose::loose(&held, &links);
-        (held, loose, pairs)
+        (held, loose, pairs, links)
     })
     .await;
-    let Ok((held, loose, pairs)) = looked else {
+    let Ok((held, loose, pairs, links)) = looked else {
         results.check(CHECK, Verdict::Indeterminate, cases, HOW);
-        return;
+        return None;
     };
     for free in held.free.iter().filter(|f| f.basis.is_none()) {
         let names = names(resolved, &held, &free.bodies);
@@ -98,12 +102,17 @@ pub(crate) async fn check(
         verdict = verdict.and(finding.verdict);
         results.findings.push(finding);
     }
+    let moves = match verdict {
+        Verdict::Indeterminate => None,
+        _ => moves::moves(spec, resolved, &held, &links, &spins),
+    };
     let motions: usize = held.free.iter().map(motions_of).sum();
     let how = format!(
         "{HOW}; {} bodies, {motions} motions that no contact stops",
         held.bodies.len()
     );
     results.check(CHECK, verdict, cases, &how);
+    moves
 }
 
 fn motions_of(free: &Free) -> usize {
