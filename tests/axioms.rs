@@ -654,8 +654,8 @@ fn from_the_specification_to_the_report() {
     let mut kit = Kit::new();
     // The block 5 mm deep in the plate.
     let text = draft("good_stand").replace(
-        "incoming: {ref: block, port: bottom_face}",
-        "incoming: {ref: block, port: bottom_face}\n      options: {d_n_mm: -5}",
+        "incoming: {ref: block, port: bottom_face}\n      options: {bond: welded}",
+        "incoming: {ref: block, port: bottom_face}\n      options: {d_n_mm: -5, bond: welded}",
     );
     kit.ok("realize", json!({"draft": text, "keep_failed": true}));
     let report = full(&mut kit, "good_stand");

@@ -125,8 +125,8 @@ assembly:
     // A shaft pushed into the plate: 60 mm of it (segment 1) lie along y through the bearing at z = 55;
     // a block turned upside down instead overlaps the plate by all of its volume beneath the top.
     let clash = good.replace(
-        "incoming: {ref: block, port: bottom_face}",
-        "incoming: {ref: block, port: bottom_face}\n      options: {d_n_mm: -5}",
+        "incoming: {ref: block, port: bottom_face}\n      options: {bond: welded}",
+        "incoming: {ref: block, port: bottom_face}\n      options: {d_n_mm: -5, bond: welded}",
     );
     let answer = kit.ok("realize", json!({"draft": clash}));
     let v = verdicts(&answer);
@@ -200,7 +200,7 @@ assembly:
     - part: plate
       slides_along: x
     - part: plate
-      slides_along: y
+      slides_along: \"y\"
     - part: plate
       turns_about: z
   free:

@@ -339,18 +339,17 @@ fn contacts(of: &Placed<'_>, engaged: &[Engaged], body_of: &[usize]) -> Vec<Cont
         .collect();
     for pair in of.pairs {
         let teeth = coupled.contains(&(pair.a, pair.b));
+        let count = |kind: Kind| pair.meetings.iter().filter(|m| m.kind == kind).count();
+        // Flanks may be made of arcs, which meet along lines nearly where the true flanks do.
+        let rough = count(Kind::Free) > 0 || count(Kind::Line) > 2;
         for meeting in pair.meetings.iter().filter(|m| stops(m)) {
             // Of wheels whose teeth are known to mesh the flanks are one condition, stated below.
-            if teeth && meeting.kind == Kind::Free {
+            if teeth && matches!(meeting.kind, Kind::Free | Kind::Line | Kind::Point) {
                 continue;
             }
             for spot in &meeting.spots {
-                add(
-                    pair.a,
-                    pair.b,
-                    meeting.kind == Kind::Free,
-                    Hold::Spot(*spot),
-                );
+                let inexact = matches!(meeting.kind, Kind::Free | Kind::Line);
+                add(pair.a, pair.b, rough && inexact, Hold::Spot(*spot));
             }
             if let Some(about) = &meeting.about {
                 let (point, axis) = (V::from(about.point), V::from(about.direction));

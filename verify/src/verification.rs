@@ -97,6 +97,9 @@ pub async fn verify(
         pairs: &pairs,
         tau_mm3,
         freedom: freedom.as_ref(),
+        motions: freedom
+            .as_ref()
+            .and_then(|f| freedom::independent(f, moves.as_ref(), spec)),
     };
     let asked = (door, registry);
     let (axioms, accepted) = axioms::run(asked, spec, &assembled, &measured, &mut results).await;

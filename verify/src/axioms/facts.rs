@@ -26,6 +26,8 @@ pub(crate) struct Measurements<'a> {
     pub(crate) tau_mm3: f64,
     /// Which motions the mates leave, where that could be told.
     pub(crate) freedom: Option<&'a Freedom>,
+    /// How many independent motions the machine has, where that could be told.
+    pub(crate) motions: Option<usize>,
 }
 
 /// The facts of an assembly. Materials are in no specification and stay unknown: the checks say what they
@@ -72,8 +74,10 @@ pub(super) fn facts(
         root: spec.root.clone(),
         parts: parts.collect(),
         mates: mates.collect(),
-        intended_mobility: spec.intended_mobility,
-        mobility: measured.freedom.and_then(mobility),
+        intended_mobility: spec.motions_meant(),
+        mobility: measured
+            .freedom
+            .and_then(|f| mobility(f, measured.motions?)),
         measured: Measured {
             overlaps: Some(overlaps(measured)),
             contacts: Some(contacts(measured)),
@@ -121,7 +125,7 @@ fn count(n: usize) -> u32 {
 }
 
 /// The motions of the machine, idle spins left out; none where their number could not be told.
-fn mobility(freedom: &Freedom) -> Option<Mobility> {
+fn mobility(freedom: &Freedom, motions: usize) -> Option<Mobility> {
     let joints = freedom.joints.iter().map(|j| JointMotion {
         mate: j.mate.clone(),
         turns: count(j.turns),
@@ -129,7 +133,7 @@ fn mobility(freedom: &Freedom) -> Option<Mobility> {
         screws: count(j.screws),
     });
     Some(Mobility {
-        freedom: count(freedom.lasting_mobility?.saturating_sub(freedom.idle_spins)),
+        freedom: count(motions),
         redundant: redundant(freedom),
         unexplained: None,
         joints: joints.collect(),

@@ -91,10 +91,12 @@ fn judge(
         let chosen = freedom.motions.iter().filter(|m| m.idle == idle);
         chosen.map(|m| m.name.clone()).collect()
     };
-    if real < wanted && wanted <= lasting {
+    let idle = idle_spins(freedom, spec);
+    if real < wanted && idle > 0 && wanted <= real + idle {
         let message = format!(
-            "{} intended: {real} free, and {lasting} only if these spins of parts about themselves are meant: {}",
+            "{} intended: {real} free, and {} only if these spins of parts about themselves are meant: {}",
             motions(wanted),
+            real + idle,
             brief(&names(true))
         );
         let found = with_values(open(message), freedom, intended);
@@ -136,6 +138,15 @@ fn judge(
         ..with_values(finding(Verdict::Fail, d), freedom, intended)
     };
     (Verdict::Fail, said, Some(found))
+}
+
+/// How many independent motions the machine has; none where it could not be told.
+pub(crate) fn independent(
+    freedom: &Freedom,
+    moves: Option<&Moves>,
+    spec: &Assembly,
+) -> Option<usize> {
+    Some(real(freedom, freedom.lasting_mobility?, moves, spec))
 }
 
 /// How many motions the mates leave that no contact stops, without idle spins and what may lie loose.

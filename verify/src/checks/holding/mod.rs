@@ -63,7 +63,11 @@ pub(crate) async fn check(
     let threads = threads(assembled);
     let ground: Vec<usize> = resolved.root.into_iter().collect();
     let parts = resolved.parts.len();
-    let (links, count) = (system.links, parts);
+    // What has no place is joined to nothing, which is told as that.
+    let there = |part: usize| assembled.placements.of(part).is_some();
+    let mut links = system.links;
+    links.retain(|l| there(l.base) && there(l.incoming));
+    let count = parts;
     let spins: Vec<_> = system.bodies.iter().map(|b| b.spin).collect();
     // Much work where many parts are loose: not for the threads that answer.
     let looked = tokio::task::spawn_blocking(move || {
