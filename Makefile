@@ -1,5 +1,5 @@
 # The two commands of the README: `make demo` and `make test`. Both set up what they need.
-.PHONY: setup demo test test-factories fuzz peers-cadquery speed lint clean
+.PHONY: setup demo test faults test-factories fuzz peers-cadquery speed lint clean
 CARGO ?= cargo
 
 demo: setup
@@ -38,6 +38,11 @@ speed: setup
 	bench/speed/.venv/bin/pip install --quiet -r $(PEERS)/requirements.txt
 	$(CARGO) build --quiet --release -p assemcad --bin assemcad
 	bench/speed/.venv/bin/python bench/speed/run.py $(SPEED)
+
+# Sound assemblies and what was broken in each, all before a server: docs/faults.md.
+faults: setup
+	$(CARGO) build --quiet -p assemcad --bin assemcad --example faults
+	./target/debug/examples/faults
 
 setup:
 	@scripts/setup

@@ -199,6 +199,11 @@ fn shafts_bearings_and_hubs_that_break_an_axiom() {
         "assembly": "hub", "id": "m6", "mate_type": "coaxial", "d_mm": -26,
         "base": "shaft:shaft_seat_1", "incoming": "hub:shaft_seat", "axioms": ["P-02"],
     }));
+    // The shaft turns, the hub turns and slides.
+    kit.intent(
+        "hub",
+        json!({"intended_motions": [], "intended_mobility": 3}),
+    );
     let report = full(&mut kit, "hub");
     assert_eq!(with_status(&report, "fail"), ["P-02"]);
     let f = own_finding(&report, "P-02");

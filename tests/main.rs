@@ -7,6 +7,7 @@ mod admission_order;
 mod axioms;
 mod bad_input;
 mod bolted;
+mod defects;
 mod determinism;
 mod drafts;
 mod faults;
@@ -27,6 +28,8 @@ mod refusals;
 mod report_pages;
 mod script_workers;
 mod sessions;
+#[path = "defects/suite.rs"]
+mod suite;
 mod synthesis;
 mod verification;
 mod verification_cases;

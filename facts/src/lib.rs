@@ -19,3 +19,4 @@ mod union;
 pub use groups::Reason;
 pub use hold::{Coupled, Free, Held, IdleScrew, PairMeetings, Placed, Thread, Tight, Way, held};
 pub use rows::Rows;
+pub use stops::stops as guides;

@@ -28,7 +28,8 @@ pub(crate) fn loosest_mm(diameter: f64) -> f64 {
 }
 
 /// Whether a contact, or a gap, holds a part within a play.
-pub(crate) fn stops(meeting: &Meeting) -> bool {
+#[must_use]
+pub fn stops(meeting: &Meeting) -> bool {
     match (meeting.kind, &meeting.about) {
         (Kind::Cylinder | Kind::Cone, Some(about)) => {
             2.0 * meeting.gap_mm <= loosest_mm(2.0 * about.hole_mm.abs()) + 1e-6

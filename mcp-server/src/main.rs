@@ -125,6 +125,8 @@ fn main() -> ExitCode {
 fn serve(options: Serve) -> Result<(), String> {
     let runtime = tokio::runtime::Builder::new_multi_thread()
         .enable_all()
+        // A verification is one future of many; unoptimised, polling it takes more than the usual 2 MB.
+        .thread_stack_size(8 << 20)
         .build()
         .map_err(|e| format!("the runtime: {e}"))?;
     runtime.block_on(async {

@@ -4,6 +4,8 @@
 //! Idle spins, the turning of screws and rings about themselves, are no motions of the machine and are told
 //! apart. What is compared is the number of motions that go on beyond the first instant, without those.
 
+use std::collections::BTreeSet;
+
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::freedom::{BodyMotion, Freedom, Kind, Lasting, Motion, analyse};
 use assemcad_model::name::listed;
@@ -82,7 +84,11 @@ fn judge(
         return match not_made(freedom, moves, spec) {
             None => (Verdict::Pass, format!("{said}; as intended"), None),
             Some(d) => {
-                let found = with_values(finding(Verdict::Fail, d), freedom, intended);
+                let named = spec.intended_motions.iter().map(|m| m.part.clone());
+                let found = Finding {
+                    parts: named.collect(),
+                    ..with_values(finding(Verdict::Fail, d), freedom, intended)
+                };
                 (Verdict::Fail, said, Some(found))
             }
         };
@@ -133,7 +139,11 @@ fn judge(
             listed(&held, MOST_NAMED)
         ))
     };
+    let named = spec.intended_motions.iter().map(|m| m.part.clone());
+    let moving = moves.into_iter().flat_map(|m| m.parts.clone());
+    let parts: BTreeSet<String> = named.chain(moving).collect();
     let found = Finding {
+        parts: parts.into_iter().collect(),
         mates: if real < wanted { held } else { Vec::new() },
         ..with_values(finding(Verdict::Fail, d), freedom, intended)
     };

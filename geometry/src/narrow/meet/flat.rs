@@ -14,7 +14,7 @@ const DEEPEST_MM: f64 = 0.2;
 /// The smallest area, in mm2: below it is a line.
 const LEAST_MM2: f64 = 1e-6;
 
-/// A strip that is narrower carries nothing, in mm. Ours.
+/// A strip or the rim of a ring that is narrower carries nothing, in mm. Ours.
 const LEAST_MM: f64 = 0.05;
 
 /// Directions in which the outermost points are looked for.
@@ -60,7 +60,8 @@ pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>) -> Option<Meeting> {
     if total < LEAST_MM2 {
         return None;
     }
-    if narrowest(&corners) < LEAST_MM {
+    let (narrow, wide) = widths(&corners);
+    if narrow < LEAST_MM || total < 2.0 * LEAST_MM * wide {
         return None;
     }
     let spots = outermost(&corners);
@@ -77,8 +78,8 @@ pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>) -> Option<Meeting> {
     })
 }
 
-/// The least width over some directions.
-fn narrowest(points: &[P]) -> f64 {
+/// The least and the largest width over some directions.
+fn widths(points: &[P]) -> (f64, f64) {
     let width = |k: u32| {
         let (sin, cos) = libm::sincos(core::f64::consts::PI * f64::from(k) / f64::from(OUTERMOST));
         let along = points.iter().map(|p| p.x * cos + p.y * sin);
@@ -86,7 +87,9 @@ fn narrowest(points: &[P]) -> f64 {
         let (low, high) = along.fold(ends, |(l, h), x| (l.min(x), h.max(x)));
         high - low
     };
-    (0..OUTERMOST).map(width).fold(f64::INFINITY, f64::min)
+    let ends = (f64::INFINITY, f64::NEG_INFINITY);
+    let each = (0..OUTERMOST).map(width);
+    each.fold(ends, |(l, h), w| (l.min(w), h.max(w)))
 }
 
 /// The points that lie outermost in some directions, each once.

@@ -24,9 +24,11 @@ use futures::future::join_all;
 use crate::results::Results;
 
 mod fits;
+mod guides;
 mod holes;
 mod loose;
 mod moves;
+mod teeth;
 
 pub(crate) use moves::Moves;
 
@@ -101,6 +103,8 @@ pub(crate) async fn check(
     }
     let mut told = loose::told(spec, resolved, &held, &loose);
     told.extend(fits::told(resolved, &held));
+    told.extend(guides::told(assembled, &pairs));
+    told.extend(teeth::told(assembled));
     told.extend(holes::told(door, assembled, &held, &pairs).await);
     for finding in told {
         verdict = verdict.and(finding.verdict);
