@@ -2,8 +2,10 @@
 //!
 //! Standard output belongs to the protocol; logs go to standard error.
 
+mod calls;
 mod clients_model;
 mod lines;
+mod message;
 mod progress;
 mod running;
 mod serve;
@@ -127,10 +129,14 @@ fn serve(options: Serve) -> Result<(), String> {
         .enable_all()
         .build()
         .map_err(|e| format!("the runtime: {e}"))?;
-    runtime.block_on(async {
+    let served = runtime.block_on(async {
         let workshop = workshop(options).await?;
         serve::stdio(workshop).await
-    })
+    });
+    // A call that was left behind may be in the middle of something long: nobody waits for it any more, and its
+    // workers end by themselves.
+    runtime.shutdown_background();
+    served
 }
 
 /// The workshop that the options describe, with what was admitted to it before.

@@ -74,6 +74,8 @@ trait Tool: 'static {
     const DESCRIPTION: &'static str;
     /// What it does to the assemblies.
     const EFFECT: Effect;
+    /// How much work it is.
+    const WEIGHT: Weight = Weight::Heavy;
 
     /// Does it.
     fn run(
@@ -102,6 +104,18 @@ pub enum Effect {
     Removes,
 }
 
+/// How much work a call is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Weight {
+    /// Something is looked up: it waits for nobody.
+    Light,
+    /// A few questions to the kernel.
+    Usual,
+    /// Work on whole assemblies, pictures and trials: seconds, and hundreds of megabytes, so that only a few run
+    /// at once.
+    Heavy,
+}
+
 type Handler = for<'a> fn(&'a Workshop, Value, Caller<'a>) -> BoxFuture<'a, Result<Output, Faults>>;
 
 /// A tool as a server offers it.
@@ -115,6 +129,8 @@ pub struct Offer {
     pub description: &'static str,
     /// What it does to the assemblies.
     pub effect: Effect,
+    /// How much work it is.
+    pub weight: Weight,
     /// JSON Schema of the arguments; an object at the root.
     pub input_schema: Map<String, Value>,
     /// JSON Schema of the answer, an object at the root; none where the answer is a picture.
@@ -131,6 +147,7 @@ impl Offer {
             title: T::TITLE,
             description: T::DESCRIPTION,
             effect: T::EFFECT,
+            weight: T::WEIGHT,
             validator: jsonschema::validator_for(&Value::Object(input_schema.clone())).ok(),
             input_schema,
             output_schema: T::Answer::schema(),
