@@ -27,6 +27,7 @@ mod refusals;
 mod report_pages;
 mod script_workers;
 mod sessions;
+mod stalls;
 mod synthesis;
 mod verification;
 mod verification_cases;

@@ -50,7 +50,13 @@ where
     let (theirs, ours) = duplex(BUFFER);
     let (from_library, to_library) = split(ours);
     let (answers, refusals) = channel(16);
-    tokio::spawn(feed(BufReader::new(input), to_library, answers, running, is_read));
+    tokio::spawn(feed(
+        BufReader::new(input),
+        to_library,
+        answers,
+        running,
+        is_read,
+    ));
     let writing = tokio::spawn(drain(BufReader::new(from_library), output, refusals));
     (theirs, writing)
 }
@@ -186,13 +192,20 @@ mod tests {
     #[tokio::test]
     async fn what_is_no_json_is_answered_and_the_rest_passed_on() {
         let long = vec![b'1'; super::MOST + 1];
-        let mut input = b"{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"m\"}\n\nnonsense\n{\"b\": NaN}\n".to_vec();
+        let mut input =
+            b"{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"m\"}\n\nnonsense\n{\"b\": NaN}\n".to_vec();
         input.extend(&long);
         input.extend(b"\n{\"jsonrpc\":\"2.0\",\"method\":\"n\"}");
         let (theirs, ours) = duplex(1 << 16);
-        let (library, writing) = around(std::io::Cursor::new(input), theirs, Running::new(1), || true);
+        let (library, writing) =
+            around(std::io::Cursor::new(input), theirs, Running::new(1), || {
+                true
+            });
         let mut library = BufReader::new(library).lines();
-        assert_eq!(library.next_line().await.unwrap().unwrap(), "{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"m\"}");
+        assert_eq!(
+            library.next_line().await.unwrap().unwrap(),
+            "{\"jsonrpc\":\"2.0\",\"id\":1,\"method\":\"m\"}"
+        );
         let mut answers = BufReader::new(ours).lines();
         for told in ["column 2", "column 7", "longer than"] {
             let answer = answers.next_line().await.unwrap().unwrap();
@@ -203,7 +216,10 @@ mod tests {
                 "{answer}"
             );
         }
-        assert_eq!(library.next_line().await.unwrap().unwrap(), "{\"jsonrpc\":\"2.0\",\"method\":\"n\"}");
+        assert_eq!(
+            library.next_line().await.unwrap().unwrap(),
+            "{\"jsonrpc\":\"2.0\",\"method\":\"n\"}"
+        );
         assert_eq!(library.next_line().await.unwrap(), None);
         drop(library);
         writing.await.unwrap().unwrap();
@@ -232,7 +248,9 @@ mod tests {
         let (theirs, _ours) = duplex(64);
         let (_library, _writing) = around(&b""[..], theirs, running.clone(), || false);
         let minute = std::time::Duration::from_secs(60);
-        tokio::time::timeout(minute, running.stopped()).await.unwrap();
+        tokio::time::timeout(minute, running.stopped())
+            .await
+            .unwrap();
         drop(call);
     }
 

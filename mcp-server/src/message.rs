@@ -304,7 +304,10 @@ mod tests {
         // What came before the fault is known, what comes behind it is not.
         let broken = br#"{"jsonrpc":"2.0","id":4,"method":"ping","params":{]}"#;
         assert_eq!(refused(broken), (json!(4), -32700));
-        assert_eq!(refused(br#"{"params":{],"id":4,"method":"m"}"#).0, Value::Null);
+        assert_eq!(
+            refused(br#"{"params":{],"id":4,"method":"m"}"#).0,
+            Value::Null
+        );
     }
 
     #[test]
@@ -314,9 +317,15 @@ mod tests {
             ("42", Value::Null),
             ("null", Value::Null),
             (r#"{"jsonrpc":"2.0"}"#, Value::Null),
-            (r#"{"jsonrpc":"1.0","id":901,"method":"tools/list"}"#, json!(901)),
+            (
+                r#"{"jsonrpc":"1.0","id":901,"method":"tools/list"}"#,
+                json!(901),
+            ),
             (r#"{"jsonrpc":"2.0","id":902,"method":7}"#, json!(902)),
-            (r#"{"jsonrpc":"2.0","id":{"a":1},"method":"m"}"#, Value::Null),
+            (
+                r#"{"jsonrpc":"2.0","id":{"a":1},"method":"m"}"#,
+                Value::Null,
+            ),
             (r#"{"jsonrpc":"2.0","id":1.5,"method":"m"}"#, Value::Null),
         ] {
             assert_eq!(refused(line.as_bytes()), (id, -32600), "{line}");

@@ -10,10 +10,11 @@ use assemcad_tools::{Effect, Offer, Output, prompts};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use rmcp::model::{
-    CallToolRequestParams, CallToolResponse, CallToolResult, ClientNotification, ClientRequest, ContentBlock, CustomRequest,
-    CustomResult, ErrorCode, GetPromptRequestParams, GetPromptResponse, GetPromptResult,
-    Implementation, ListPromptsResult, ListToolsResult, PaginatedRequestParams, Prompt,
-    PromptArgument, PromptMessage, Role, ServerCapabilities, ServerConfig, ServerResult, Tool, ToolAnnotations,
+    CallToolRequestParams, CallToolResponse, CallToolResult, ClientNotification, ClientRequest,
+    ContentBlock, CustomRequest, CustomResult, ErrorCode, GetPromptRequestParams,
+    GetPromptResponse, GetPromptResult, Implementation, ListPromptsResult, ListToolsResult,
+    PaginatedRequestParams, Prompt, PromptArgument, PromptMessage, Role, ServerCapabilities,
+    ServerConfig, ServerResult, Tool, ToolAnnotations,
 };
 use rmcp::service::{NotificationContext, RequestContext, Service};
 use rmcp::transport::stdio as streams;
@@ -157,10 +158,12 @@ impl ServerHandler for Server {
                 "the parameters of tools/call are {\"name\": a tool's name, \"arguments\": an object}",
                 Some(json!({"tools": self.calls.offers.keys().collect::<Vec<_>>()})),
             ),
-            "tools/list" | "initialize" | "ping" => ErrorData::invalid_params(
-                format!("the parameters of {method} could not be read"),
-                None,
-            ),
+            "tools/list" | "prompts/list" | "prompts/get" | "initialize" | "ping" => {
+                ErrorData::invalid_params(
+                    format!("the parameters of {method} could not be read"),
+                    None,
+                )
+            }
             _ => no_method(&method),
         })
     }

@@ -4,6 +4,7 @@
 //! arguments are checked against them before it runs, so that every fault is told in one shape.
 
 use assemcad_assembly::{Faults, Workshop};
+use assemcad_model::told;
 use futures::future::BoxFuture;
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
@@ -178,8 +179,9 @@ impl Offer {
         let Some(validator) = &self.validator else {
             return Err(vec![arguments::unreadable(self.name)]);
         };
-        arguments::check(validator, &self.input_schema, &given)?;
+        arguments::check(validator, &self.input_schema, &given).map_err(told::first_of)?;
         let done = (self.handler)(workshop, given, caller).await;
+        let done = done.map(answer::short).map_err(told::first_of);
         let counts = workshop.door.counts();
         tracing::info!(
             "geometry: asked={} computed={} kernel_calls={}",
