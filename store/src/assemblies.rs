@@ -51,7 +51,10 @@ impl Store {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Err(self.unknown(id)),
             Err(e) => return Err(file_failed(id, "locked", &e)),
         };
-        flock(folder, id).await
+        let lock = flock(folder, id).await?;
+        // Whoever held it before may have died in the middle of a change.
+        self.mend();
+        Ok(lock)
     }
 
     /// Makes the folder of an assembly, so that it can be locked. An empty folder is no assembly.

@@ -11,6 +11,8 @@ mod fault;
 mod files;
 mod root;
 mod rounds;
+mod sweep;
+mod switch;
 
 pub use assemblies::{check_name, file_of, specification, yaml_bytes};
 pub use draft::Draft;
