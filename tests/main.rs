@@ -14,6 +14,7 @@ mod gear_pairs;
 mod gears;
 mod geometry;
 mod harness;
+mod keeping;
 mod kit;
 mod mates;
 mod measure;

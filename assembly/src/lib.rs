@@ -22,4 +22,5 @@ mod views;
 mod workshop;
 
 pub use assemcad_model::diagnostic::Faults;
+pub use verify::Verified;
 pub use workshop::{DEFAULT_LIMIT_S, DEFAULT_ROUNDS, Workshop};

@@ -9,6 +9,7 @@ use assemcad_kernel::pool::Pool;
 use assemcad_model::diagnostic::Diagnostic;
 use assemcad_script::Evaluator;
 
+use crate::draft::Nameless;
 use crate::remembered::Remembered;
 use crate::reports::Reports;
 use assemcad_store::Store;
@@ -33,6 +34,8 @@ pub struct Workshop {
     pub store: Store,
     /// What was made already.
     pub(crate) remembered: Remembered,
+    /// The rounds of drafts without a name.
+    pub(crate) nameless: Nameless,
     /// What was verified already.
     pub(crate) reports: Reports,
     /// How often a draft may be wrong before its decomposition counts as failed.
@@ -60,6 +63,7 @@ impl Workshop {
             evaluator,
             store: Store::open(root)?,
             remembered: Remembered::default(),
+            nameless: Nameless::default(),
             reports: Reports::default(),
             draft_rounds: DEFAULT_ROUNDS,
             synthesis_rounds: DEFAULT_ROUNDS,

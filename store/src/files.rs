@@ -216,6 +216,14 @@ pub fn json_bytes<T: serde::Serialize>(path: &str, value: &T) -> Result<Vec<u8>,
     Ok(text)
 }
 
+/// Checks a path that a client names: that it stays below the folder that it starts from.
+///
+/// # Errors
+/// When it does not.
+pub fn check_path(path: &str) -> Result<(), Diagnostic> {
+    inside(path).map(|_| ())
+}
+
 /// A path that names a file below the root, taken by its text alone. Links are the capability's matter.
 fn inside(path: &str) -> Result<&Path, Diagnostic> {
     let p = Path::new(path);
