@@ -171,6 +171,35 @@ fn mates_of_parts_that_are_not_there_cost_no_more_than_they_say() {
 }
 
 #[test]
+fn a_thousand_gears_are_not_compared_with_each_other() {
+    let mut kit = Kit::new();
+    let parts: String = (0..1000)
+        .map(|i| format!("  - {{id: gear_{i}, factory: gear.spur}}\n"))
+        .collect();
+    let mates: String = (0..1000)
+        .map(|i| format!("  - {{id: m{i}, mate_type: face_to_face, axioms: [C-01], base: {{ref: plate, port: top_face}}, incoming: {{ref: gear_{i}, port: face_bottom}}, options: {{u_mm: {}}}}}\n", i / 2))
+        .collect();
+    let draft = format!(
+        "assembly:\n  id: a\n  parts:\n  - {{id: plate, factory: base_frame.rect_plate}}\n{parts}  mates:\n{mates}"
+    );
+    let began = Instant::now();
+    let answer = kit.ok("validate_draft", json!({"draft": draft}));
+    assert!(
+        began.elapsed() < Duration::from_secs(20),
+        "{:?}",
+        began.elapsed()
+    );
+    let found = answer["diagnostics"].as_array().unwrap();
+    assert!(
+        answer.to_string().contains("lands in the very place of"),
+        "{}",
+        found[0]
+    );
+    // Of each two in one place, the second is told.
+    assert_eq!(answer["errors_total"], 500, "{}", found[0]);
+}
+
+#[test]
 fn where_a_client_is_gone_the_work_ends() {
     let root = tempfile::tempdir().unwrap();
     let mut child = Command::new(program())

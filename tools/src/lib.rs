@@ -180,6 +180,10 @@ impl Offer {
             return Err(vec![arguments::unreadable(self.name)]);
         };
         arguments::check(validator, &self.input_schema, &given).map_err(told::first_of)?;
+        // Another server over the same folder, or an editor, may have written there since the last call.
+        for fault in workshop.load_admitted().await {
+            tracing::warn!("{fault}");
+        }
         let done = (self.handler)(workshop, given, caller).await;
         let done = done.map(answer::short).map_err(told::first_of);
         let counts = workshop.door.counts();
