@@ -274,6 +274,136 @@ fn two_servers_over_one_folder_do_not_take_each_others_versions() {
 }
 
 #[test]
+fn what_another_server_admits_edits_or_removes_is_known_at_once() {
+    let mut kit = Kit::new();
+    let names = |kit: &mut Kit| -> Vec<String> {
+        let list = kit.ok("list_factories", json!({"name_contains": "user."}));
+        let all = list["factories"].as_array().unwrap().iter();
+        all.map(|f| f["factory"].as_str().unwrap().to_owned())
+            .collect()
+    };
+    assert!(names(&mut kit).is_empty());
+    let mut other =
+        crate::harness::Session::start(crate::kit::program(), &kit.root(), &[]).unwrap();
+    for (comment, name) in [("# one", "user.disc@1"), ("# two", "user.disc@2")] {
+        let theirs = with(request("user.disc"), "source", disc(comment, "6"));
+        let answer = other.call("synthesize_factory", theirs).unwrap();
+        assert_eq!(answer.content["factory"], name);
+        assert_eq!(names(&mut kit), [name]);
+    }
+    // What was evaluated of a source is forgotten with it.
+    kit.new_assembly("a");
+    kit.part("a", "p", "user.disc@2", json!({}));
+    let star = kit.file("factories/user.disc@2.star");
+    std::fs::write(&star, disc("# edited", "9")).unwrap();
+    let found = kit.refused(
+        "add_part",
+        json!({"assembly": "a", "part": "q", "factory": "user.disc@2"}),
+    );
+    assert!(
+        found[0]["message"].as_str().unwrap().contains("edited"),
+        "{found:?}"
+    );
+    std::fs::write(&star, disc("# two", "6")).unwrap();
+    kit.part("a", "q", "user.disc@2", json!({}));
+    for extension in ["star", "json"] {
+        std::fs::remove_file(kit.file(&format!("factories/user.disc@2.{extension}"))).unwrap();
+    }
+    assert_eq!(names(&mut kit), ["user.disc@1"]);
+}
+
+#[tokio::test]
+async fn an_evaluation_of_an_older_source_is_not_kept() {
+    use assemcad_factories::{Admitted, Registry, admission::Record};
+    use assemcad_script::worker::{Config, Evaluator, LIMITS};
+    use std::sync::Arc;
+
+    let mut kit = Kit::new();
+    synthesize(
+        &mut kit,
+        with(request("user.disc"), "source", disc("", "6")),
+    );
+    let record = std::fs::read(kit.file("factories/user.disc@1.json")).unwrap();
+    let record: Arc<Record> = Arc::new(serde_json::from_slice(&record).unwrap());
+    let evaluator = Arc::new(Evaluator::processes(Config {
+        program: crate::kit::program().to_owned(),
+        workers: 2,
+        limits: LIMITS,
+    }));
+    let registry = Arc::new(Registry::default());
+    let admit = async |source: String| {
+        let factory = evaluator.parse("user.disc@1", &source).await.unwrap();
+        registry.admit(Admitted {
+            factory: Arc::new(factory),
+            record: Arc::clone(&record),
+            edited: false,
+        });
+    };
+    let length = |made: &assemcad_script::Evaluated| made.recipe.hash().unwrap();
+    // The older source takes its time.
+    admit(disc(
+        "def slow():\n    n = 0\n    for j in range(45):\n        for i in range(20000):\n            n += i\n    return 6\n",
+        "slow()",
+    ))
+    .await;
+    let older = {
+        let (registry, evaluator) = (Arc::clone(&registry), Arc::clone(&evaluator));
+        tokio::spawn(async move {
+            let none = serde_json::Map::new();
+            let made = registry.build(&evaluator, "user.disc@1", &none);
+            made.await.unwrap()
+        })
+    };
+    tokio::time::sleep(std::time::Duration::from_millis(200)).await;
+    assert!(!older.is_finished());
+    admit(disc("", "7")).await;
+    let older = length(&older.await.unwrap());
+    let none = serde_json::Map::new();
+    let now = registry.build(&evaluator, "user.disc@1", &none);
+    assert_ne!(length(&now.await.unwrap()), older);
+}
+
+#[test]
+fn an_edited_source_that_fails_is_looked_at_once() {
+    let mut kit = Kit::new();
+    let admitted = with(request("user.disc"), "source", disc("", "6"));
+    synthesize(&mut kit, admitted);
+    let star = kit.file("factories/user.disc@1.star");
+    std::fs::write(&star, disc("# edited", "9")).unwrap();
+    let draft = |parts: usize| {
+        let parts = (0..parts).map(|i| {
+            let bore = 8.0 + 0.01 * i as f64;
+            format!("  - {{id: p{i}, factory: user.disc@1, params: {{bore_d: {bore}}}}}\n")
+        });
+        let text = format!(
+            "assembly:\n  id: a\n  parts:\n{}",
+            parts.collect::<String>()
+        );
+        json!({"draft": text})
+    };
+    let began = std::time::Instant::now();
+    kit.ok("validate_draft", draft(1));
+    let once = began.elapsed();
+    for _ in 0..2 {
+        let began = std::time::Instant::now();
+        let answer = kit.ok("validate_draft", draft(30));
+        let again = began.elapsed();
+        let most = (once / 2).max(std::time::Duration::from_millis(400));
+        assert!(again < most, "{again:?} and {once:?} for one part");
+        let found = answer["diagnostics"].as_array().unwrap();
+        let edited = found.iter().filter(|d| {
+            let message = d["message"].as_str().unwrap();
+            message.contains("does not pass the gate")
+        });
+        assert!(edited.count() >= 10, "{answer}");
+    }
+    // Mended, it is looked at anew.
+    std::fs::write(&star, disc("# mended", "3 + 3")).unwrap();
+    kit.new_assembly("a");
+    kit.part("a", "p", "user.disc@1", json!({}));
+}
+
+#[test]
 fn damaged_records_and_foreign_files_cost_only_themselves() {
     let mut kit = Kit::new();
     synthesize(

@@ -227,7 +227,9 @@ fn files_are_written_below_the_root_only() {
     let (mut kit, before) = kit();
     let outside = tempfile::tempdir().unwrap();
     let absolute = outside.path().join("x.step");
-    std::os::unix::fs::symlink(outside.path(), kit.root().join("link")).unwrap();
+    let link = kit.root().join("exports/stand/link");
+    std::fs::create_dir_all(link.parent().unwrap()).unwrap();
+    std::os::unix::fs::symlink(outside.path(), &link).unwrap();
     for file in [
         "../x.step",
         "a/../../x.step",
@@ -242,13 +244,11 @@ fn files_are_written_below_the_root_only() {
         ".step/..",
     ] {
         let d = kit.refusal("export_step", json!({"assembly": "stand", "file": file}));
-        assert_eq!(
-            (&d["code"], &d["found"]),
-            (&json!("path_invalid"), &json!(file))
-        );
+        assert_eq!(d["code"], "path_invalid", "{d}");
+        assert!(d["found"].as_str().unwrap().ends_with(file), "{d}");
     }
     assert_eq!(std::fs::read_dir(outside.path()).unwrap().count(), 0);
-    std::fs::remove_file(kit.root().join("link")).unwrap();
+    std::fs::remove_file(link).unwrap();
     unharmed(&mut kit, &before);
 }
 

@@ -15,6 +15,7 @@ mod gear_pairs;
 mod gears;
 mod geometry;
 mod harness;
+mod keeping;
 mod kit;
 mod mates;
 mod measure;
@@ -28,6 +29,7 @@ mod refusals;
 mod report_pages;
 mod script_workers;
 mod sessions;
+mod stalls;
 #[path = "defects/suite.rs"]
 mod suite;
 mod synthesis;

@@ -231,7 +231,7 @@ fn report_and_step_file_name_each_other() {
     let named = step_of(&kit);
     assert_eq!(
         (&named["sha256"], &named["file"]),
-        (&done["sha256"], &json!("out/other.stp"))
+        (&done["sha256"], &json!("exports/stand/out/other.stp"))
     );
     for page in ["report.md", "report.html"] {
         assert!(read(&kit, "stand", page).contains(done["sha256"].as_str().unwrap()));

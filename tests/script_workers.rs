@@ -215,7 +215,7 @@ async fn what_a_worker_has_is_its_socket_and_little_else() {
     let proc = format!("/proc/{}", worker());
     let limits = std::fs::read_to_string(format!("{proc}/limits")).unwrap();
     for (what, most) in [
-        ("Max open files", "0"),
+        ("Max open files", "1"),
         ("Max file size", "0"),
         ("Max core file size", "0"),
         ("Max address space", "1073741824"),
@@ -224,13 +224,20 @@ async fn what_a_worker_has_is_its_socket_and_little_else() {
         let values: Vec<&str> = line[what.len()..].split_whitespace().take(2).collect();
         assert_eq!(values, [most, most], "{what}");
     }
+    let status = std::fs::read_to_string(format!("{proc}/status")).unwrap();
+    if assemcad_workers::missing_seclusion().is_empty() {
+        for line in ["NoNewPrivs:\t1", "Seccomp:\t2"] {
+            assert!(status.contains(line), "{line}");
+        }
+    }
     // PATH, HOME and whatever else stands there are set in this process.
     assert!(std::env::var_os("PATH").is_some());
     let environment = std::fs::read(format!("{proc}/environ")).unwrap();
     for variable in environment.split(|b| *b == 0).filter(|v| !v.is_empty()) {
         let variable = String::from_utf8_lossy(variable);
         let name = variable.split('=').next().unwrap_or_default();
-        let linker = name.starts_with("DYLD_") || name == "LD_LIBRARY_PATH";
+        let linker =
+            name.starts_with("DYLD_") || ["LD_LIBRARY_PATH", "ASSEMCAD_LOG"].contains(&name);
         assert!(linker, "{name}");
     }
     let ours = |n: u32| std::fs::read_link(format!("/proc/self/fd/{n}"));

@@ -109,7 +109,7 @@ fn equal_parts_are_one_product() {
         (&json!(3), &json!(4))
     );
     assert_eq!(step["verified"], json!(null), "nothing was verified yet");
-    let flat: String = std::fs::read_to_string(kit.file("some/where/else.stp"))
+    let flat: String = std::fs::read_to_string(kit.file("exports/a/some/where/else.stp"))
         .unwrap()
         .split_whitespace()
         .collect();

@@ -18,7 +18,7 @@ use crate::report_files::{self, report_file};
 use crate::resolve;
 use crate::step_header::of_specification;
 use crate::{Faults, Workshop};
-use assemcad_store::file_of;
+use assemcad_store::{export_of, file_of};
 
 /// How far a volume may be from what it was when a STEP file is read back, relative.
 const READ_BACK_TOLERANCE: f64 = 1e-6;
@@ -88,7 +88,8 @@ impl Step {
 }
 
 impl Workshop {
-    /// Exports an assembly as STEP (AP242) to a file below the root.
+    /// Exports an assembly as STEP (AP242) to a file beside its specification, or, where one is named, to a file in
+    /// the assembly's own place for exports.
     ///
     /// The file is read back before it is written: names, count and volumes must be what they are in
     /// the assembly.
@@ -99,7 +100,9 @@ impl Workshop {
         let one = |d: Diagnostic| vec![d];
         let file = match file {
             None => file_of(id, &format!("{id}.step")),
-            Some(f) if f.ends_with(".step") || f.ends_with(".stp") => f.to_owned(),
+            Some(f) if f.ends_with(".step") || f.ends_with(".stp") => {
+                export_of(id, f).map_err(one)?
+            }
             Some(f) => {
                 return Err(one(Diagnostic::error(
                     Code::PathInvalid,
@@ -111,6 +114,8 @@ impl Workshop {
         };
         let spec = self.store.load(id).map_err(one)?;
         let step = self.step(&spec).await?;
+        // Held while the report is read and written again: what another wrote meanwhile is not lost.
+        let _lock = self.store.lock(id).await.map_err(one)?;
         let report: Option<Report> = self.store.read_json(&report_file(id));
         let report = report.filter(|r| r.specification_sha256 == step.specification_sha256);
         let verdict = report.as_ref().map(|r| r.verdict);

@@ -3,6 +3,7 @@
 //! The specification on disk is the only state. Every operation reads it, and every accepted change
 //! is written back before the operation returns, so that a killed server loses nothing.
 
+mod admitted;
 pub mod draft;
 pub mod edit;
 pub mod export;
@@ -22,4 +23,5 @@ mod views;
 mod workshop;
 
 pub use assemcad_model::diagnostic::Faults;
+pub use verify::Verified;
 pub use workshop::{DEFAULT_LIMIT_S, DEFAULT_ROUNDS, Workshop};

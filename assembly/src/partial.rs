@@ -3,7 +3,6 @@
 use assemcad_model::spec::Assembly;
 use assemcad_placing::partial::no_parts;
 use assemcad_placing::{Partial, Resolved, place};
-use futures::future::join_all;
 
 use crate::resolve;
 use crate::{Faults, Workshop};
@@ -16,11 +15,8 @@ pub(crate) async fn of(workshop: &Workshop, spec: &Assembly) -> Result<Partial, 
     if spec.parts.is_empty() {
         return Err(vec![no_parts(&spec.id)]);
     }
-    let places: Vec<String> = (0..spec.parts.len())
-        .map(|i| format!("parts[{i}]"))
-        .collect();
-    let each = spec.parts.iter().zip(&places);
-    let made = join_all(each.map(|(p, place)| resolve::part(workshop, p, place))).await;
+    let wanted: Vec<_> = spec.parts.iter().enumerate().collect();
+    let made = resolve::parts(workshop, &wanted).await;
     let (mut parts, mut missing, mut faults) = (Vec::new(), Vec::new(), Vec::new());
     for (result, part) in made.into_iter().zip(&spec.parts) {
         match result {
@@ -35,14 +31,17 @@ pub(crate) async fn of(workshop: &Workshop, spec: &Assembly) -> Result<Partial, 
     if parts.is_empty() {
         return Err(faults);
     }
+    let by_name = resolve::by_name(&parts);
+    let named = |id: &str| by_name.get(id).copied();
     let mut mates = Vec::new();
     for (i, m) in spec.mates.iter().enumerate() {
-        let there = |id: &str| parts.iter().any(|p| p.id == id);
+        let there = |id: &str| named(id).is_some();
         // A mate of a part that is missing has been accounted for with the part.
         if !there(&m.base.part) || !there(&m.incoming.part) {
             continue;
         }
-        match resolve::mate(&parts, &spec.id, m, &|field| format!("mates[{i}].{field}")) {
+        let at = |field: &str| format!("mates[{i}].{field}");
+        match resolve::mate_among(&parts, &named, &spec.id, m, &at) {
             Ok(mate) => mates.push(mate),
             Err(more) => {
                 let why = more.first().map(|d| d.message.clone()).unwrap_or_default();
@@ -50,9 +49,7 @@ pub(crate) async fn of(workshop: &Workshop, spec: &Assembly) -> Result<Partial, 
             }
         }
     }
-    let wanted = spec
-        .root()
-        .and_then(|id| parts.iter().position(|p| p.id == id));
+    let wanted = spec.root().and_then(named);
     if wanted.is_none()
         && let (Some(first), Some(root)) = (parts.first(), spec.root())
     {

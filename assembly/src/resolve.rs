@@ -1,11 +1,12 @@
 //! From the names in a specification to recipes and ports.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::mates::{Joint, MateType};
 use assemcad_model::ports::Port;
 use assemcad_model::spec::{Assembly, End, Mate, Part};
+use assemcad_model::told::MOST_FOUND;
 use assemcad_placing::resolved::{part_unknown, port_among};
 use assemcad_placing::{Resolved, ResolvedMate, ResolvedPart};
 use futures::future::join_all;
@@ -18,56 +19,21 @@ use crate::{Faults, Workshop};
 /// # Errors
 /// Everything that is wrong with its parts, or, where they are in order, with its mates.
 pub async fn assembly(workshop: &Workshop, spec: &Assembly) -> Result<Resolved, Faults> {
-    let mut parts = Vec::new();
     let mut faults = Vec::new();
-    let places: Vec<String> = (0..spec.parts.len())
-        .map(|i| format!("parts[{i}]"))
-        .collect();
-    // What is made alike is made once.
-    let mut first: BTreeMap<(&str, String), usize> = BTreeMap::new();
-    let of: Vec<usize> = (spec.parts.iter().enumerate())
-        .map(|(i, p)| {
-            let params = serde_json::to_string(&p.params).unwrap_or_else(|_| p.id.clone());
-            *first.entry((&p.factory, params)).or_insert(i)
-        })
-        .collect();
-    let each = || spec.parts.iter().zip(&places).zip(&of).enumerate();
-    let one = each().filter(|(i, (_, first))| i == *first);
-    let one = one.map(|(_, ((p, place), _))| part(workshop, p, place));
-    let made: Vec<_> = first
-        .into_values()
-        .collect::<BTreeSet<_>>()
-        .into_iter()
-        .collect();
-    let made: BTreeMap<usize, _> = made.into_iter().zip(join_all(one).await).collect();
-    let all = each().map(|(i, ((p, place), first))| {
-        let known = made.get(first);
-        async move {
-            match known {
-                Some(Ok(made)) => Ok(ResolvedPart {
-                    id: p.id.clone(),
-                    ..made.clone()
-                }),
-                Some(Err(faults)) if *first == i => Err(faults.clone()),
-                // What is wrong is told of each part in its own words.
-                _ => part(workshop, p, place).await,
-            }
-        }
-    });
-    for result in join_all(all).await {
+    let mut there = Vec::new();
+    let wanted: Vec<(usize, &Part)> = spec.parts.iter().enumerate().collect();
+    for result in parts(workshop, &wanted).await {
         match result {
-            Ok(p) => parts.push(p),
+            Ok(p) => there.push(p),
             Err(more) => faults.extend(more),
         }
     }
     if !faults.is_empty() {
         return Err(faults);
     }
+    let parts = there;
     let mut mates = Vec::new();
-    let mut by_name: BTreeMap<&str, usize> = BTreeMap::new();
-    for (i, p) in parts.iter().enumerate() {
-        by_name.entry(&p.id).or_insert(i);
-    }
+    let by_name = by_name(&parts);
     let named = |id: &str| by_name.get(id).copied();
     for (i, m) in spec.mates.iter().enumerate() {
         let place = format!("mates[{i}]");
@@ -76,15 +42,81 @@ pub async fn assembly(workshop: &Workshop, spec: &Assembly) -> Result<Resolved, 
             Ok(m) => mates.push(m),
             Err(more) => faults.extend(more),
         }
+        // Each comes with what would fit instead: a few hundred say enough.
+        if faults.len() > MOST_FOUND {
+            break;
+        }
     }
     if !faults.is_empty() {
         return Err(faults);
     }
     let root = match spec.root() {
         None => None,
-        Some(id) => Some(index(&parts, id).ok_or_else(|| vec![part_unknown(&parts, id, "root")])?),
+        Some(id) => Some(named(id).ok_or_else(|| vec![part_unknown(&parts, id, "root")])?),
     };
     Ok(Resolved { parts, mates, root })
+}
+
+/// The indices of parts by their names; of two of one name the first is meant.
+pub(crate) fn by_name(parts: &[ResolvedPart]) -> BTreeMap<String, usize> {
+    let mut out = BTreeMap::new();
+    for (i, p) in parts.iter().enumerate() {
+        out.entry(p.id.clone()).or_insert(i);
+    }
+    out
+}
+
+/// Resolves parts, each with its index in the specification; an answer for each, in their order. What is made
+/// alike is made once.
+pub(crate) async fn parts(
+    workshop: &Workshop,
+    wanted: &[(usize, &Part)],
+) -> Vec<Result<ResolvedPart, Faults>> {
+    let mut first: BTreeMap<(&str, String), usize> = BTreeMap::new();
+    let of: Vec<usize> = (wanted.iter().enumerate())
+        .map(|(k, (_, p))| {
+            let params = serde_json::to_string(&p.params).unwrap_or_else(|_| p.id.clone());
+            *first.entry((&p.factory, params)).or_insert(k)
+        })
+        .collect();
+    let places: Vec<String> = wanted.iter().map(|(i, _)| format!("parts[{i}]")).collect();
+    let each = || wanted.iter().zip(&places).zip(&of).enumerate();
+    let one = each().filter(|(k, (_, first))| k == *first);
+    let one =
+        one.map(|(k, (((_, p), place), _))| async move { (k, part(workshop, p, place).await) });
+    let made: BTreeMap<usize, _> = join_all(one).await.into_iter().collect();
+    each()
+        .map(|(_, (((_, p), place), first))| match made.get(first) {
+            Some(Ok(made)) => Ok(ResolvedPart {
+                id: p.id.clone(),
+                ..made.clone()
+            }),
+            Some(Err(faults)) => {
+                let (there, at) = (wanted.get(*first), places.get(*first));
+                let other = there.map_or("", |(_, p)| &p.id);
+                let retold = faults.iter().cloned();
+                let retold = retold.map(|d| of_another(d, (other, at), (&p.id, place)));
+                Err(retold.collect())
+            }
+            None => Err(Faults::new()),
+        })
+        .collect()
+}
+
+/// What is wrong with one part, told of another that is made alike.
+fn of_another(
+    d: Diagnostic,
+    (id, place): (&str, Option<&String>),
+    (other, there): (&str, &str),
+) -> Diagnostic {
+    let of_part = |id: &str| format!("part '{id}', ");
+    let behind = |head: &str| d.place.strip_prefix(head).map(str::to_owned);
+    let moved = behind(&of_part(id)).map(|rest| format!("{}{rest}", of_part(other)));
+    let in_text = |p: &String| behind(p).map(|rest| format!("{there}{rest}"));
+    match moved.or_else(|| place.and_then(in_text)) {
+        Some(moved) => d.at(moved),
+        None => d,
+    }
 }
 
 /// Resolves one part: its factory found, its parameters checked, recipe and ports made.
@@ -136,7 +168,10 @@ pub fn mate(
 }
 
 /// The same, where the index of a part's name is known.
-fn mate_among(
+///
+/// # Errors
+/// As [`mate`].
+pub(crate) fn mate_among(
     parts: &[ResolvedPart],
     named: &dyn Fn(&str) -> Option<usize>,
     assembly: &str,

@@ -150,7 +150,7 @@ impl Workshop {
         }
     }
 
-    fn gate(&self) -> Gate<'_> {
+    pub(crate) fn gate(&self) -> Gate<'_> {
         Gate {
             door: self.door.asker(),
             evaluator: &self.evaluator,
@@ -159,7 +159,7 @@ impl Workshop {
     }
 
     /// A record and its source as the registry takes them.
-    async fn parsed(&self, record: Record, source: &str) -> Result<Admitted, Faults> {
+    pub(crate) async fn parsed(&self, record: Record, source: &str) -> Result<Admitted, Faults> {
         let factory = self.evaluator.parse(&record.name(), source).await?;
         Ok(Admitted {
             factory: Arc::new(record.within(factory)),
@@ -222,8 +222,8 @@ impl Workshop {
         self.renewed(record, source, admission).await
     }
 
-    /// A version with another source or other evidence: on disk, then in the registry.
-    async fn renewed(
+    /// A version with another source or other evidence: on disk, then in the registry. The factories are held.
+    pub(crate) async fn renewed(
         &self,
         record: &Record,
         source: &str,
@@ -239,85 +239,6 @@ impl Workshop {
         let admitted = self.parsed(record, source).await?;
         self.registry.admit(admitted.clone());
         Ok(admitted)
-    }
-
-    /// Loads the factories that were admitted before. What is at fault is reported and left out.
-    pub async fn load_admitted(&self) -> Faults {
-        let stored = match self.store.admitted_factories() {
-            Ok(stored) => stored,
-            Err(d) => return vec![d],
-        };
-        let mut found = Vec::new();
-        for factory in stored {
-            let admitted = match factory {
-                Ok(stored) => self.parsed(stored.record, &stored.source).await,
-                Err(d) => Err(one(d)),
-            };
-            match admitted {
-                Ok(admitted) => self.registry.admit(admitted),
-                Err(faults) => found.extend(faults),
-            }
-        }
-        found
-    }
-
-    /// Looks at a factory again whose source was edited since it was admitted: what passes is admitted
-    /// as it is now, under the same version, for that is what the editor meant.
-    ///
-    /// # Errors
-    /// Everything that is wrong with it.
-    pub(crate) async fn recheck(&self, name: &str) -> Result<(), Faults> {
-        // A name may be short; what is not found is told by whoever asked.
-        let Ok(named) = self.registry.get(name) else {
-            return Ok(());
-        };
-        let edited = || self.registry.admitted(named.name()).filter(|a| a.edited);
-        if edited().is_none() {
-            return Ok(());
-        }
-        let _lock = self.store.lock_factories().await.map_err(one)?;
-        // Another request may have looked at it while this one waited.
-        let Some(now) = edited() else {
-            return Ok(());
-        };
-        let gate = self.gate();
-        let (record, source) = (&now.record, now.factory.source());
-        let manner = Manner {
-            extent: record.evidence.sets,
-            narrowed: !record.ranges.is_empty(),
-            watch: &|_| {},
-        };
-        let judged = gate
-            .judge(&record.name(), source, &record.request, manner)
-            .await;
-        let admission = judged.map_err(|report| {
-            let place = format!("factory {}", record.name());
-            let changed = if report.findings.is_empty() {
-                let left = report.tally.not_tried;
-                let text = format!(
-                    "its source was edited since it was admitted, and looking at it again took longer than \
-                     the limit of {} s: {left} of {} sets of parameters are left",
-                    self.synthesis_limit.as_secs(),
-                    report.tally.sets
-                );
-                Diagnostic::error(Code::FactoryFailed, place, text).hint(
-                    "use it again: solids that were made are kept; or start the server with a larger \
-                     --synthesis-s",
-                )
-            } else {
-                Diagnostic::error(
-                    Code::FactoryFailed,
-                    place,
-                    "its source was edited since it was admitted, and does not pass the gate any more",
-                )
-                .hint("mend the file, or give the source to synthesize_factory as a new version")
-            };
-            let mut all = vec![changed];
-            all.extend(report.findings.into_iter().map(|f| f.diagnostic));
-            all
-        })?;
-        self.renewed(record, source, admission).await?;
-        Ok(())
     }
 }
 

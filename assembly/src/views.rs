@@ -1,5 +1,6 @@
 //! Pictures of an assembly on disk and measurements on it.
 
+use assemcad_model::diagnostic::Diagnostic;
 use assemcad_views::measure::{Measurement, Question, measure};
 use assemcad_views::picture::{Drawn, Wanted, draw};
 
@@ -23,13 +24,18 @@ impl Workshop {
     ///
     /// # Errors
     /// When the file cannot be written.
-    pub fn keep_picture(&self, id: &str, wanted: &Wanted, png: &[u8]) -> Result<String, Faults> {
+    pub fn keep_picture(
+        &self,
+        id: &str,
+        wanted: &Wanted,
+        png: &[u8],
+    ) -> Result<String, Diagnostic> {
         let name = match wanted.views.as_slice() {
             [one] => one.name(),
             _ => "views",
         };
         let file = file_of(id, &format!("{id}-{name}.png"));
-        self.store.write(&file, png).map_err(|d| vec![d])?;
+        self.store.write(&file, png)?;
         Ok(file)
     }
 

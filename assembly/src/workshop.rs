@@ -9,6 +9,8 @@ use assemcad_kernel::pool::Pool;
 use assemcad_model::diagnostic::Diagnostic;
 use assemcad_script::Evaluator;
 
+use crate::admitted::Admissions;
+use crate::draft::Nameless;
 use crate::remembered::Remembered;
 use crate::reports::Reports;
 use assemcad_store::Store;
@@ -33,6 +35,10 @@ pub struct Workshop {
     pub store: Store,
     /// What was made already.
     pub(crate) remembered: Remembered,
+    /// Admitted factories as they were read.
+    pub(crate) admissions: Admissions,
+    /// The rounds of drafts without a name.
+    pub(crate) nameless: Nameless,
     /// What was verified already.
     pub(crate) reports: Reports,
     /// How often a draft may be wrong before its decomposition counts as failed.
@@ -60,6 +66,8 @@ impl Workshop {
             evaluator,
             store: Store::open(root)?,
             remembered: Remembered::default(),
+            admissions: Admissions::default(),
+            nameless: Nameless::default(),
             reports: Reports::default(),
             draft_rounds: DEFAULT_ROUNDS,
             synthesis_rounds: DEFAULT_ROUNDS,

@@ -44,6 +44,8 @@ pub struct Admitted {
 #[derive(Debug, Default)]
 struct Kept {
     results: BTreeMap<(String, Vec<u8>), Arc<Evaluated>>,
+    /// How often a factory was taken in or given up: an evaluation that began before is of another time.
+    changes: u64,
 }
 
 /// Whether a text may name a factory: `NAMESPACE.NAME`, both valid names.
@@ -253,8 +255,31 @@ impl Registry {
         let versions = all.entry(admitted.record.factory.clone()).or_default();
         versions.insert(admitted.record.version, admitted);
         drop(all);
-        // What was evaluated of another source under this name is no longer true.
-        self.kept().results.clear();
+        self.changed();
+    }
+
+    /// Gives up an admitted factory by its name with the version: it is not there any more.
+    pub fn dismiss(&self, name: &str) {
+        let Some((plain, version)) = split_version(name) else {
+            return;
+        };
+        let mut all = self
+            .admitted
+            .write()
+            .unwrap_or_else(PoisonError::into_inner);
+        if let Some(versions) = all.get_mut(plain) {
+            versions.remove(&version);
+        }
+        all.retain(|_, versions| !versions.is_empty());
+        drop(all);
+        self.changed();
+    }
+
+    /// What was evaluated of another source under a name is no longer true.
+    fn changed(&self) {
+        let mut kept = self.kept();
+        kept.changes += 1;
+        kept.results.clear();
     }
 
     fn unknown(&self, name: &str) -> Diagnostic {
@@ -309,6 +334,8 @@ impl Registry {
         name: &str,
         params: &Map<String, Value>,
     ) -> Result<Arc<Evaluated>, Vec<Diagnostic>> {
+        // Read before the factory is: what changes behind this is noticed.
+        let changes = self.kept().changes;
         let factory = self.get(name).map_err(|d| vec![*d])?;
         let checked = factory.check(params)?;
         let key = canonical::to_bytes(&checked)
@@ -327,6 +354,9 @@ impl Registry {
         });
         if let Some(key) = key {
             let mut kept = self.kept();
+            if kept.changes != changes {
+                return Ok(result);
+            }
             // Evaluations cost milliseconds: starting anew is cheaper than knowing which were used last.
             if kept.results.len() >= MOST_KEPT {
                 kept.results.clear();

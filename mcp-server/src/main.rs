@@ -2,8 +2,10 @@
 //!
 //! Standard output belongs to the protocol; logs go to standard error.
 
+mod calls;
 mod clients_model;
 mod lines;
+mod message;
 mod progress;
 mod running;
 mod serve;
@@ -17,6 +19,7 @@ use assemcad_factories::Registry;
 use assemcad_kernel::pool::{Config, Limits, Pool};
 use assemcad_kernel::worker;
 use assemcad_script::worker::{self as script_worker, Evaluator};
+use assemcad_workers::missing_seclusion;
 use clap::{Args, Parser, Subcommand};
 
 #[derive(Debug, Parser)]
@@ -29,6 +32,10 @@ struct Command {
 #[derive(Debug, Subcommand)]
 enum Action {
     /// Speaks MCP on standard input and output.
+    ///
+    /// Kernel and scripts run in processes that may open no file but the cache of solids, no network and no other
+    /// process. That takes Linux with Landlock and seccomp; where the system lacks them, the first line of the log
+    /// (standard error) says so.
     Serve(Serve),
     /// Runs the geometry kernel for a server. Started by the server; not for people.
     #[command(hide = true)]
@@ -129,16 +136,28 @@ fn serve(options: Serve) -> Result<(), String> {
         .thread_stack_size(8 << 20)
         .build()
         .map_err(|e| format!("the runtime: {e}"))?;
-    runtime.block_on(async {
+    let served = runtime.block_on(async {
         let workshop = workshop(options).await?;
         serve::stdio(workshop).await
-    })
+    });
+    // A call that was left behind may be in the middle of something long: nobody waits for it any more, and its
+    // workers end by themselves.
+    runtime.shutdown_background();
+    served
 }
 
 /// The workshop that the options describe, with what was admitted to it before.
 async fn workshop(options: Serve) -> Result<Workshop, String> {
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     let workers = options.workers.unwrap_or(cores);
+    let missing = missing_seclusion();
+    if !missing.is_empty() {
+        let missing = missing.join(" and ");
+        tracing::warn!(
+            "this system lacks {missing}: kernel and scripts run in processes of their own, but could reach your files \
+             and network if a fault in them were abused"
+        );
+    }
     let program = std::env::current_exe().map_err(|e| format!("where this program is: {e}"))?;
     let evaluator = Evaluator::processes(script_worker::Config {
         program: program.clone(),

@@ -1,29 +1,28 @@
 //! The tools over MCP. The only place that knows the protocol's library.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use assemcad_assembly::{Faults, Workshop};
+use assemcad_assembly::Workshop;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
-use assemcad_tools::{Caller, Effect, Offer, Output, Writer, prompts};
+use assemcad_tools::{Effect, Offer, Output, prompts};
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD as BASE64;
 use rmcp::model::{
-    CallToolRequestParams, CallToolResponse, CallToolResult, ContentBlock, CustomRequest,
-    CustomResult, ErrorCode, GetPromptRequestParams, GetPromptResponse, GetPromptResult,
-    Implementation, ListPromptsResult, ListToolsResult, PaginatedRequestParams, Prompt,
-    PromptArgument, PromptMessage, Role, ServerCapabilities, ServerConfig, Tool, ToolAnnotations,
+    CallToolRequestParams, CallToolResponse, CallToolResult, ClientNotification, ClientRequest,
+    ContentBlock, CustomRequest, CustomResult, ErrorCode, GetPromptRequestParams,
+    GetPromptResponse, GetPromptResult, Implementation, ListPromptsResult, ListToolsResult,
+    PaginatedRequestParams, Prompt, PromptArgument, PromptMessage, Role, ServerCapabilities,
+    ServerConfig, ServerResult, Tool, ToolAnnotations,
 };
-use rmcp::service::RequestContext;
+use rmcp::service::{NotificationContext, RequestContext, Service};
 use rmcp::transport::stdio as streams;
 use rmcp::{ErrorData, RoleServer, ServerHandler, ServiceExt};
 use serde_json::json;
 
-use crate::clients_model::ClientsModel;
+use crate::calls::Calls;
 use crate::lines;
-use crate::progress::signs;
 use crate::running::Running;
 
 /// What a model reads before it sees any tool; clients cut it at 2 KiB.
@@ -52,10 +51,10 @@ indeterminate; a report also says what was not checked.";
 /// # Errors
 /// When the protocol cannot be spoken.
 pub(crate) async fn stdio(workshop: Workshop) -> Result<(), String> {
-    let running = Running::default();
+    let running = Running::new(workshop.door.asker().processes());
     let (input, output) = streams();
-    let (stream, writing) = lines::around(input, output, running.clone());
-    let service = Server::new(workshop, running)
+    let (stream, writing) = lines::around(input, output, running.clone(), lines::is_read);
+    let service = Worded(Server::new(workshop, running))
         .serve(stream)
         .await
         .map_err(|e| format!("the session did not start: {e}"))?;
@@ -70,10 +69,8 @@ pub(crate) async fn stdio(workshop: Workshop) -> Result<(), String> {
 }
 
 struct Server {
-    workshop: Arc<Workshop>,
-    offers: Arc<BTreeMap<&'static str, Offer>>,
+    calls: Calls,
     tools: Vec<Tool>,
-    running: Running,
 }
 
 impl Server {
@@ -82,10 +79,12 @@ impl Server {
         let tools = offers.iter().map(tool).collect();
         let offers = offers.into_iter().map(|o| (o.name, o)).collect();
         Self {
-            workshop: Arc::new(workshop),
-            offers: Arc::new(offers),
+            calls: Calls {
+                workshop: Arc::new(workshop),
+                offers: Arc::new(offers),
+                running,
+            },
             tools,
-            running,
         }
     }
 }
@@ -157,19 +156,15 @@ impl ServerHandler for Server {
         Err(match method.as_str() {
             "tools/call" => ErrorData::invalid_params(
                 "the parameters of tools/call are {\"name\": a tool's name, \"arguments\": an object}",
-                Some(json!({"tools": self.offers.keys().collect::<Vec<_>>()})),
+                Some(json!({"tools": self.calls.offers.keys().collect::<Vec<_>>()})),
             ),
-            "tools/list" | "initialize" | "ping" => ErrorData::invalid_params(
-                format!("the parameters of {method} could not be read"),
-                None,
-            ),
-            _ => ErrorData::new(
-                ErrorCode::METHOD_NOT_FOUND,
-                format!("there is no method '{method}': this server has tools and prompts"),
-                Some(
-                    json!({"methods": ["tools/list", "tools/call", "prompts/list", "prompts/get", "ping"]}),
-                ),
-            ),
+            "tools/list" | "prompts/list" | "prompts/get" | "initialize" | "ping" => {
+                ErrorData::invalid_params(
+                    format!("the parameters of {method} could not be read"),
+                    None,
+                )
+            }
+            _ => no_method(&method),
         })
     }
 
@@ -204,7 +199,7 @@ impl ServerHandler for Server {
         };
         let given = request.arguments.unwrap_or_default();
         let text = prompt
-            .text(&self.workshop, &given)
+            .text(&self.calls.workshop, &given)
             .await
             .map_err(|d| ErrorData::invalid_params(d.to_string(), Some(json!(d))))?;
         let message = PromptMessage::new_text(Role::User, text);
@@ -217,44 +212,11 @@ impl ServerHandler for Server {
         request: CallToolRequestParams,
         context: RequestContext<RoleServer>,
     ) -> Result<CallToolResponse, ErrorData> {
-        let _call = self.running.start();
-        let given = request.arguments.unwrap_or_default();
-        let result = match self.offers.get(request.name.as_ref()) {
-            None => Err(vec![self.unknown(&request.name)]),
-            // A task of its own, so that a fault in a tool costs this call and no other.
-            Some(offer) => {
-                let (workshop, name) = (Arc::clone(&self.workshop), offer.name);
-                let offers = Arc::clone(&self.offers);
-                let writer = ClientsModel::of(&context);
-                let (words, telling) = signs(&context);
-                let work = async move {
-                    // A client that asked for no progress has nobody who listens.
-                    let progress = |text: &str| drop(words.send(text.to_owned()));
-                    let caller = Caller {
-                        writer: writer.as_ref().map(|w| w as &dyn Writer),
-                        progress: Some(&progress),
-                    };
-                    match offers.get(name) {
-                        Some(offer) => offer.call(&workshop, given, caller).await,
-                        None => Err(Faults::new()),
-                    }
-                };
-                let mut task = tokio::spawn(work);
-                tokio::select! {
-                    done = &mut task => {
-                        // The work is gone, and so is who sends words: what it said is told first.
-                        let _ = telling.await;
-                        done.unwrap_or_else(|e| Err(vec![broken(name, &e)]))
-                    }
-                    () = context.ct.cancelled() => {
-                        // Dropping the work drops its worker, which ends the kernel's computation.
-                        task.abort();
-                        Err(vec![Diagnostic::error(Code::Cancelled, name, "the client cancelled the call")])
-                    }
-                }
-            }
+        let Some((name, _)) = self.calls.offers.get_key_value(request.name.as_ref()) else {
+            return Err(self.unknown(&request.name));
         };
-        Ok(match result {
+        let given = request.arguments.unwrap_or_default();
+        Ok(match self.calls.run(name, given, &context).await {
             Ok(output) => answered(output),
             Err(faults) => CallToolResult::structured_error(json!({"diagnostics": faults})),
         }
@@ -263,29 +225,69 @@ impl ServerHandler for Server {
 }
 
 impl Server {
-    fn unknown(&self, name: &str) -> Diagnostic {
-        let names: Vec<&str> = self.offers.keys().copied().collect();
+    /// The protocol has an error for this; the diagnostic goes with it.
+    fn unknown(&self, name: &str) -> ErrorData {
+        let names: Vec<&str> = self.calls.offers.keys().copied().collect();
         let near = nearest(name, names.iter().copied(), 1).first().copied();
-        let d = Diagnostic::error(
-            Code::ToolUnknown,
-            "name",
-            format!("there is no tool '{}'", clip(name)),
-        )
-        .found(name)
-        .expected(json!(names));
-        match near {
+        let message = format!("there is no tool '{}'", clip(name));
+        let d = Diagnostic::error(Code::ToolUnknown, "name", message.as_str())
+            .found(name)
+            .expected(json!(names));
+        let d = match near {
             Some(near) => d.hint(format!("did you mean '{near}'?")),
             None => d,
-        }
+        };
+        let message = match &d.hint {
+            Some(hint) => format!("{message}; {hint}"),
+            None => message,
+        };
+        ErrorData::invalid_params(message, Some(json!(d)))
     }
 }
 
-fn broken(tool: &str, e: &tokio::task::JoinError) -> Diagnostic {
-    tracing::error!("{tool}: {e}");
-    Diagnostic::error(
-        Code::Internal,
-        tool,
-        "a fault of the server itself; it is in the server's log",
+/// The server as the library calls it. Where the library itself says that there is no such method, it says no more
+/// than the method's name; here it is told in words.
+struct Worded(Server);
+
+impl Service<RoleServer> for Worded {
+    async fn handle_request(
+        &self,
+        request: ClientRequest,
+        context: RequestContext<RoleServer>,
+    ) -> Result<ServerResult, ErrorData> {
+        let answer = self.0.handle_request(request, context).await;
+        answer.map_err(|e| {
+            let bare = !e.message.contains(' ');
+            if e.code == ErrorCode::METHOD_NOT_FOUND && bare {
+                no_method(&e.message)
+            } else {
+                e
+            }
+        })
+    }
+
+    async fn handle_notification(
+        &self,
+        notification: ClientNotification,
+        context: NotificationContext<RoleServer>,
+    ) -> Result<(), ErrorData> {
+        self.0.handle_notification(notification, context).await
+    }
+
+    fn get_info(&self) -> ServerConfig {
+        ServerHandler::get_info(&self.0)
+    }
+}
+
+fn no_method(method: &str) -> ErrorData {
+    ErrorData::new(
+        ErrorCode::METHOD_NOT_FOUND,
+        format!(
+            "this server does not support the method '{}' in this revision of the protocol: it has tools and prompts",
+            clip(method)
+        ),
+        Some(
+            json!({"methods": ["tools/list", "tools/call", "prompts/list", "prompts/get", "ping"]}),
+        ),
     )
-    .hint("the assemblies on disk are as they were before this call; other calls are not affected")
 }

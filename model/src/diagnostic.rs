@@ -162,8 +162,12 @@ pub enum Code {
     FileDamaged,
     /// Something depends on what is to be removed.
     InUse,
-    /// The client took the call back.
+    /// The client took the call back, or reads no more.
     Cancelled,
+    /// Too many calls are waiting.
+    Busy,
+    /// More was found than is told.
+    NotShown,
     /// A fault of the server itself.
     Internal,
 }

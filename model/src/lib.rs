@@ -20,4 +20,5 @@ pub mod recipe;
 pub mod report;
 pub mod selector;
 pub mod spec;
+pub mod told;
 pub mod yaml;

@@ -29,6 +29,10 @@ pub fn nearest<'a>(
     candidates: impl IntoIterator<Item = &'a str>,
     most: usize,
 ) -> Vec<&'a str> {
+    // The measure takes as long as both lengths multiplied, and nobody misspells a name that long.
+    if wanted.len() > 4 * MAX_LENGTH {
+        return Vec::new();
+    }
     let wanted = wanted.to_ascii_lowercase();
     let mut scored: Vec<(f64, &str)> = candidates
         .into_iter()
@@ -37,6 +41,30 @@ pub fn nearest<'a>(
         .collect();
     scored.sort_by(|a, b| b.0.total_cmp(&a.0));
     scored.into_iter().take(most).map(|(_, c)| c).collect()
+}
+
+/// So many names are offered in place of one that is unknown.
+const MOST_OFFERED: usize = 60;
+
+/// So many names are held against one that is unknown.
+const MOST_COMPARED: usize = 2000;
+
+/// Names in place of one that is unknown: the first of them, with how many more there are, and the one most like it.
+#[must_use]
+pub fn instead<'a>(wanted: &str, names: &[&'a str]) -> (serde_json::Value, Option<&'a str>) {
+    let mut offered: Vec<String> = names
+        .iter()
+        .take(MOST_OFFERED)
+        .map(|n| (*n).to_owned())
+        .collect();
+    if let Some(more) = names.len().checked_sub(MOST_OFFERED).filter(|n| *n > 0) {
+        offered.push(format!("... and {more} more"));
+    }
+    let compared = names.iter().take(MOST_COMPARED).copied();
+    (
+        offered.into(),
+        nearest(wanted, compared, 1).first().copied(),
+    )
 }
 
 /// The first names in quotation marks, and how many more there are.
@@ -64,6 +92,18 @@ mod tests {
         ] {
             assert!(!is_valid(bad), "{bad}");
         }
+    }
+
+    #[test]
+    fn what_is_offered_instead_has_an_end() {
+        let names: Vec<String> = (0..5000).map(|i| format!("part_{i}")).collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let (offered, near) = super::instead("prat_17", &names);
+        assert_eq!(offered.as_array().map(Vec::len), Some(61));
+        assert_eq!(offered.get(60).unwrap(), "... and 4940 more");
+        assert_eq!(near, Some("part_17"));
+        // The measure takes time by both lengths.
+        assert!(nearest(&"p".repeat(700_000), names, 1).is_empty());
     }
 
     #[test]

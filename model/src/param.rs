@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 
 use crate::diagnostic::{Code, Diagnostic};
 use crate::name::nearest;
+use crate::told::Capped;
 
 /// One declared parameter.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -238,13 +239,16 @@ pub fn check_all(
     given: &Map<String, Value>,
     place: &str,
 ) -> Result<Map<String, Value>, Vec<Diagnostic>> {
-    let mut found = Vec::new();
+    let mut unknown = Capped::new();
     for (name, value) in given {
-        if !specs.iter().any(|s| s.name == *name) {
+        if specs.iter().any(|s| s.name == *name) {
+            continue;
+        }
+        unknown.push(|| {
             let names: Vec<&str> = specs.iter().map(|s| s.name.as_str()).collect();
             let mut d = Diagnostic::error(
                 Code::ParamUnknown,
-                format!("{place}.{name}"),
+                format!("{place}.{}", clip(name)),
                 format!("there is no parameter '{}'", clip(name)),
             )
             .found(value.clone())
@@ -252,9 +256,10 @@ pub fn check_all(
             if let Some(near) = nearest(name, names, 1).first() {
                 d = d.hint(format!("did you mean '{near}'?"));
             }
-            found.push(d);
-        }
+            d
+        });
     }
+    let mut found = unknown.told();
     let mut values = Map::new();
     for spec in specs {
         let value = match given.get(&spec.name) {

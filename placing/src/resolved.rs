@@ -9,7 +9,7 @@ use assemcad_kernel::protocol::{Failure, Named};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::frame::Placement;
 use assemcad_model::mates::{Joint, Options};
-use assemcad_model::name::nearest;
+use assemcad_model::name::{instead, nearest};
 use assemcad_model::param::clip;
 use assemcad_model::ports::Port;
 use assemcad_model::spec::{End, Mate};
@@ -195,9 +195,10 @@ pub fn part_unknown(parts: &[ResolvedPart], id: &str, place: &str) -> Diagnostic
         place,
         format!("there is no part '{}'", clip(id)),
     )
-    .found(id)
-    .expected(json!(names));
-    match nearest(id, names, 1).first() {
+    .found(id);
+    let (offered, near) = instead(id, &names);
+    let d = d.expected(offered);
+    match near {
         Some(near) => d.hint(format!("did you mean '{near}'?")),
         None => d,
     }

@@ -13,7 +13,11 @@ use serde_json::json;
 
 use crate::draft::Draft;
 use crate::fault::file_failed;
+use crate::files::check_path;
 use crate::root::{ASSEMBLIES, Lock, Store, flock};
+
+/// Where files go that were asked for by name.
+const EXPORTS: &str = "exports";
 
 const SPECIFICATION: &str = "assembly.yaml";
 
@@ -51,7 +55,10 @@ impl Store {
             Err(e) if e.kind() == io::ErrorKind::NotFound => return Err(self.unknown(id)),
             Err(e) => return Err(file_failed(id, "locked", &e)),
         };
-        flock(folder, id).await
+        let lock = flock(folder, id).await?;
+        // Whoever held it before may have died in the middle of a change.
+        self.mend();
+        Ok(lock)
     }
 
     /// Makes the folder of an assembly, so that it can be locked. An empty folder is no assembly.
@@ -176,6 +183,21 @@ pub fn file_of(id: &str, name: &str) -> String {
     format!("{ASSEMBLIES}/{id}/{name}")
 }
 
+/// The path of a file that was asked for by name, below the root: in a place of the assembly's own, where it takes
+/// the place of nothing but an earlier export of the same assembly.
+///
+/// # Errors
+/// When the name leads out of that place.
+pub fn export_of(id: &str, file: &str) -> Result<String, Diagnostic> {
+    check_path(file)?;
+    let place = format!("{EXPORTS}/{id}/");
+    Ok(if file.starts_with(&place) {
+        file.to_owned()
+    } else {
+        format!("{place}{file}")
+    })
+}
+
 /// The path of an assembly's specification, below the root.
 #[must_use]
 pub fn specification(id: &str) -> String {
@@ -234,6 +256,25 @@ mod tests {
             std::fs::write(&path, bad).unwrap();
             assert_eq!(code(store.load("a")), Code::FileDamaged, "{bad}");
             assert_eq!(std::fs::read_to_string(&path).unwrap(), bad);
+        }
+    }
+
+    #[test]
+    fn exports_have_a_place_of_their_own() {
+        let of = |file: &str| super::export_of("a", file);
+        assert_eq!(of("x/y.step").unwrap(), "exports/a/x/y.step");
+        // As an earlier answer named it.
+        assert_eq!(of("exports/a/x.step").unwrap(), "exports/a/x.step");
+        assert_eq!(
+            of("exports/b/x.step").unwrap(),
+            "exports/a/exports/b/x.step"
+        );
+        assert_eq!(
+            of("assemblies/b/b.step").unwrap(),
+            "exports/a/assemblies/b/b.step"
+        );
+        for bad in ["", "/x.step", "../x.step", "x/../../y.step"] {
+            assert_eq!(code(of(bad)), Code::PathInvalid, "{bad}");
         }
     }
 

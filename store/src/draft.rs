@@ -7,6 +7,7 @@ use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
 use assemcad_model::spec::tree::{PartNode, Tree};
 use assemcad_model::spec::{Assembly, Document, Mate, Part, schema};
+use assemcad_model::told::Capped;
 use assemcad_model::yaml::{self, Kind, Node, Step};
 use jsonschema::error::ValidationErrorKind as Fault;
 use jsonschema::{ValidationError, Validator};
@@ -92,9 +93,11 @@ impl Draft {
             draft.take(&value);
             match &schema.validator {
                 Some(validator) => {
+                    let mut found = Capped::new();
                     for e in validator.iter_errors(&value) {
-                        faults.extend(draft.form_faults(&e, &schema.value));
+                        draft.form_faults(&e, &schema.value, &mut found);
                     }
+                    faults.extend(found.told());
                 }
                 None => faults.push(Diagnostic::error(
                     Code::Internal,
@@ -205,18 +208,39 @@ impl Draft {
     }
 
     /// What one finding of the schema means.
-    fn form_faults(&self, e: &ValidationError<'_>, schema: &Value) -> Vec<Diagnostic> {
+    fn form_faults(&self, e: &ValidationError<'_>, schema: &Value, found: &mut Capped) {
+        if let Fault::AdditionalProperties { unexpected } = e.kind() {
+            let pointer = e.instance_path().as_str();
+            let path = self.path(pointer);
+            let known = fields(within(schema, pointer));
+            for name in unexpected {
+                found.push(|| self.unknown_field(&path, name, &known));
+            }
+        } else {
+            found.push(|| self.form_fault(e, schema));
+        }
+    }
+
+    fn unknown_field(&self, path: &str, name: &str, known: &[String]) -> Diagnostic {
+        let d = Diagnostic::error(
+            Code::SpecificationInvalid,
+            self.place(&join(path, name)),
+            format!("there is no field '{}' here", clip(name)),
+        )
+        .expected(json!(known));
+        match nearest(name, known.iter().map(String::as_str), 1).first() {
+            Some(near) => d.hint(format!("did you mean '{near}'?")),
+            None => d,
+        }
+    }
+
+    /// What a finding of the schema means that is one fault.
+    fn form_fault(&self, e: &ValidationError<'_>, schema: &Value) -> Diagnostic {
         let pointer = e.instance_path().as_str();
         let path = self.path(pointer);
         let at = |path: &str| self.place(path);
         let wrong = |path: &str, message: String| {
             Diagnostic::error(Code::SpecificationInvalid, at(path), message)
-        };
-        let fields = |fields: Option<&Value>| -> Vec<String> {
-            let map = fields
-                .and_then(|s| s.get("properties"))
-                .and_then(Value::as_object);
-            map.into_iter().flat_map(|m| m.keys().cloned()).collect()
         };
         let here = within(schema, pointer);
         match e.kind() {
@@ -226,26 +250,11 @@ impl Draft {
                 let meaning = here
                     .and_then(|s| s.get("properties")?.get(name)?.get("description"))
                     .cloned();
-                vec![match meaning {
+                match meaning {
                     Some(meaning) => d.expected(meaning),
                     None => d,
-                }]
+                }
             }
-            Fault::AdditionalProperties { unexpected } => unexpected
-                .iter()
-                .map(|name| {
-                    let known = fields(here);
-                    let d = wrong(
-                        &join(&path, name),
-                        format!("there is no field '{}' here", clip(name)),
-                    )
-                    .expected(json!(known));
-                    match nearest(name, known.iter().map(String::as_str), 1).first() {
-                        Some(near) => d.hint(format!("did you mean '{near}'?")),
-                        None => d,
-                    }
-                })
-                .collect(),
             Fault::Type { .. } => {
                 let kind = here.and_then(|s| s.get("type")).and_then(Value::as_str);
                 let wanted = match kind {
@@ -257,11 +266,11 @@ impl Draft {
                 let d =
                     wrong(&path, format!("expected {wanted}")).found(e.instance().as_ref().clone());
                 let known = fields(here);
-                vec![if known.is_empty() {
+                if known.is_empty() {
                     d
                 } else {
                     d.expected(json!(known))
-                }]
+                }
             }
             Fault::Enum { options } => {
                 let found = e.instance().as_ref();
@@ -273,14 +282,14 @@ impl Draft {
                 let d = wrong(&path, format!("there is no '{}' here", clip(word)))
                     .found(found.clone())
                     .expected(json!(words));
-                vec![match nearest(word, words.iter().copied(), 1).first() {
+                match nearest(word, words.iter().copied(), 1).first() {
                     Some(near) => d.hint(format!("did you mean '{near}'?")),
                     None => d,
-                }]
+                }
             }
             _ => {
                 let d = wrong(&path, "this does not fit the format".to_owned());
-                vec![d.found(e.instance().as_ref().clone()).expected(json!(here))]
+                d.found(e.instance().as_ref().clone()).expected(json!(here))
             }
         }
     }
@@ -302,7 +311,7 @@ impl Draft {
                 counted = false;
                 let parts = self.node.as_ref().and_then(|n| n.get("parts_index"));
                 let i = match parts.map(|n| &n.kind) {
-                    Some(Kind::Map(entries)) => entries.iter().position(|(k, _)| k.name == step),
+                    Some(Kind::Map(entries)) => entries.position(&step),
                     _ => None,
                 };
                 path.push_str(&format!("[{}]", i.unwrap_or_default()));
@@ -338,6 +347,14 @@ fn join(path: &str, name: &str) -> String {
     } else {
         format!("{path}.{name}")
     }
+}
+
+/// The names of the fields that a schema has.
+fn fields(schema: Option<&Value>) -> Vec<String> {
+    let map = schema
+        .and_then(|s| s.get("properties"))
+        .and_then(Value::as_object);
+    map.into_iter().flat_map(|m| m.keys().cloned()).collect()
 }
 
 /// The schema of the place that a JSON pointer leads to.

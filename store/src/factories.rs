@@ -1,14 +1,20 @@
 //! Admitted factories on disk: `factories/NAME@VERSION.star` is a source and `factories/NAME@VERSION.json` on
 //! what it was admitted.
 
+use std::collections::BTreeMap;
+
 use assemcad_factories::admission::{Record, file_name, is_valid_user_name, split_version};
 use assemcad_model::diagnostic::{Code, Diagnostic};
+use cap_std::fs::MetadataExt;
 
 use crate::files::json_bytes;
 use crate::root::{Lock, Store};
 
 /// Where admitted factories are kept.
 const FOLDER: &str = "factories";
+
+/// What tells one state of a file from another: its number on disk, its length, and when it was written.
+pub type Stamp = (u64, u64, (i64, i64));
 
 /// A record and its source.
 #[derive(Debug)]
@@ -60,30 +66,48 @@ impl Store {
         self.write_all(&files)
     }
 
-    /// The factories that were admitted before, in the order of their files; what is at fault with one
-    /// stands in its place.
+    /// The stamps of each admitted factory's files, by its name with the version: others whenever somebody wrote its
+    /// record or its source.
     ///
     /// # Errors
     /// When the folder cannot be read.
-    pub fn admitted_factories(&self) -> Result<Vec<Result<StoredFactory, Diagnostic>>, Diagnostic> {
-        let files = self.files_in(FOLDER)?;
-        let each = files.iter().filter_map(|file| {
-            let path = format!("{FOLDER}/{file}");
-            if let Some(stem) = file.strip_suffix(".json") {
-                return Some(self.admitted_factory(&path, stem));
+    pub fn factory_stamps(&self) -> Result<BTreeMap<String, Vec<Stamp>>, Diagnostic> {
+        let mut stamps: BTreeMap<String, Vec<Stamp>> = BTreeMap::new();
+        for file in self.files_in(FOLDER)? {
+            let stem = file.strip_suffix(".json").or(file.strip_suffix(".star"));
+            let facts = self.root.metadata(format!("{FOLDER}/{file}"));
+            if let (Some(stem), Ok(facts)) = (stem, facts) {
+                let written = (facts.mtime(), facts.mtime_nsec());
+                let stamp = (facts.ino(), facts.len(), written);
+                stamps.entry(stem.to_owned()).or_default().push(stamp);
             }
-            let stem = file.strip_suffix(".star")?;
-            if files.contains(&format!("{stem}.json")) {
-                return None;
-            }
+        }
+        Ok(stamps)
+    }
+
+    /// The source of an admitted factory as it is now.
+    ///
+    /// # Errors
+    /// When it cannot be read.
+    pub fn factory_source(&self, name: &str) -> Result<String, Diagnostic> {
+        self.read_text(&format!("{FOLDER}/{name}.star"))
+    }
+
+    /// An admitted factory by its name with the version.
+    ///
+    /// # Errors
+    /// What is at fault with it.
+    pub fn stored_factory(&self, name: &str) -> Result<StoredFactory, Diagnostic> {
+        let record = format!("{FOLDER}/{name}.json");
+        if !self.root.exists(&record) {
             let d = Diagnostic::error(
                 Code::FileFailed,
-                path,
+                format!("{FOLDER}/{name}.star"),
                 "this source was not admitted: there is no record beside it",
             );
-            Some(Err(d.hint("give it to synthesize_factory")))
-        });
-        Ok(each.collect())
+            return Err(d.hint("give it to synthesize_factory"));
+        }
+        self.admitted_factory(&record, name)
     }
 
     fn admitted_factory(&self, path: &str, stem: &str) -> Result<StoredFactory, Diagnostic> {
@@ -104,7 +128,7 @@ impl Store {
         if record.name() != stem || !is_valid_user_name(&record.factory) {
             return Err(damaged("it names another factory than its file"));
         }
-        let source = self.read_text(&format!("{FOLDER}/{stem}.star"))?;
+        let source = self.factory_source(stem)?;
         Ok(StoredFactory { record, source })
     }
 }

@@ -7,10 +7,12 @@ use std::sync::atomic::Ordering;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::param::clip;
 use assemcad_model::yaml::MOST_BYTES;
-use cap_std::fs::Dir;
+use cap_std::fs::{Dir, File};
+use rustix::fs::FlockOperation;
 
 use crate::fault::{file_failed, outside};
 use crate::root::Store;
+use crate::switch::{Move, Switch};
 
 impl Store {
     /// Writes a value as indented JSON; it is on disk when this returns.
@@ -50,8 +52,7 @@ impl Store {
         self.write_all(&[(path, bytes)])
     }
 
-    /// Writes files below the root as one step: all are on disk beside their places before the first is
-    /// moved there, so that a full disk or an unwritable folder leaves everything as it was.
+    /// Writes files below the root as one step: all come to their places, or all is as it was.
     ///
     /// # Errors
     /// As [`Store::write`].
@@ -66,13 +67,22 @@ impl Store {
                 }
             }
         }
-        for (done, part) in ready.iter().enumerate() {
-            if let Err(d) = part.keep() {
-                ready.iter().skip(done).for_each(Part::remove);
-                return Err(d);
-            }
+        let switch = Switch {
+            moves: ready.iter().map(|part| part.moved.clone()).collect(),
+        };
+        let done = self.switch(&switch);
+        if let Err(e) = done {
+            ready.iter().for_each(Part::remove);
+            let path = files.first().map_or("", |(path, _)| path);
+            return Err(not_written(path, &e));
         }
         Ok(())
+    }
+
+    /// The name of a file until it is whole. Two writers of one file, in this process or another, never share it.
+    pub(crate) fn unique(&self, name: &str) -> String {
+        let count = self.written.fetch_add(1, Ordering::Relaxed);
+        format!(".{name}.{}-{count}", std::process::id())
     }
 
     /// Writes a file beside its place.
@@ -95,19 +105,30 @@ impl Store {
                     other => other?,
                 }
             };
-            // Two writers of one file, in this process or another, never share their unfinished file.
-            let count = self.written.fetch_add(1, Ordering::Relaxed);
-            let part = Part {
-                beside: format!(".{name}.{}-{count}", std::process::id()),
+            if here
+                .symlink_metadata(name)
+                .is_ok_and(|there| there.is_dir())
+            {
+                return Err(io::Error::from(io::ErrorKind::IsADirectory));
+            }
+            let beside = self.unique(name);
+            let moved = Move {
+                folder: folder.to_str().unwrap_or_default().to_owned(),
+                beside,
                 name: name.to_owned(),
-                path: path.to_owned(),
-                here,
             };
+            let mut file = here.create(&moved.beside)?;
             let written = (|| {
-                let mut file = part.here.create(&part.beside)?;
+                // Held until it is in its place: what nobody holds was left behind.
+                rustix::fs::flock(&file, FlockOperation::NonBlockingLockExclusive)?;
                 file.write_all(bytes)?;
                 file.sync_all()
             })();
+            let part = Part {
+                here,
+                moved,
+                _held: file,
+            };
             if let Err(e) = written {
                 part.remove();
                 return Err(e);
@@ -174,24 +195,13 @@ impl Store {
 /// A file that is written beside its place.
 struct Part {
     here: Dir,
-    beside: String,
-    name: String,
-    path: String,
+    moved: Move,
+    _held: File,
 }
 
 impl Part {
-    /// Moves it to its place.
-    fn keep(&self) -> Result<(), Diagnostic> {
-        let keep = || -> io::Result<()> {
-            self.here.rename(&self.beside, &self.here, &self.name)?;
-            // The new name itself is on disk only when the folder is.
-            self.here.open(".")?.sync_all()
-        };
-        keep().map_err(|e| not_written(&self.path, &e))
-    }
-
     fn remove(&self) {
-        let _ = self.here.remove_file(&self.beside);
+        let _ = self.here.remove_file(&self.moved.beside);
     }
 }
 
@@ -204,6 +214,14 @@ pub fn json_bytes<T: serde::Serialize>(path: &str, value: &T) -> Result<Vec<u8>,
         .map_err(|e| Diagnostic::error(Code::Internal, path, e.to_string()))?;
     text.push(b'\n');
     Ok(text)
+}
+
+/// Checks a path that a client names: that it stays below the folder that it starts from.
+///
+/// # Errors
+/// When it does not.
+pub fn check_path(path: &str) -> Result<(), Diagnostic> {
+    inside(path).map(|_| ())
 }
 
 /// A path that names a file below the root, taken by its text alone. Links are the capability's matter.

@@ -11,10 +11,12 @@ mod fault;
 mod files;
 mod root;
 mod rounds;
+mod sweep;
+mod switch;
 
-pub use assemblies::{check_name, file_of, specification, yaml_bytes};
+pub use assemblies::{check_name, export_of, file_of, specification, yaml_bytes};
 pub use draft::Draft;
-pub use factories::StoredFactory;
-pub use files::json_bytes;
+pub use factories::{Stamp, StoredFactory};
+pub use files::{check_path, json_bytes};
 pub use root::{Lock, Store};
 pub use rounds::{Round, history};

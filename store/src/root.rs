@@ -29,7 +29,8 @@ pub struct Lock {
 }
 
 impl Store {
-    /// Opens the root folder, which is made where it is missing.
+    /// Opens the root folder, which is made where it is missing. What writers that were killed left behind is
+    /// brought to its end or removed.
     ///
     /// # Errors
     /// When the folder cannot be made or opened.
@@ -45,7 +46,10 @@ impl Store {
                 written: AtomicU64::new(0),
             })
         };
-        open().map_err(|e| file_failed("--root", "opened", &e))
+        let store = open().map_err(|e| file_failed("--root", "opened", &e))?;
+        store.mend();
+        store.sweep();
+        Ok(store)
     }
 
     /// The root folder's path.

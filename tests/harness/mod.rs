@@ -93,10 +93,13 @@ impl Session {
 
     /// Sends a line as it is.
     pub fn send(&mut self, line: &str) -> Result<(), String> {
+        self.send_bytes(line.as_bytes())
+    }
+
+    /// Sends bytes that need not be a text as a line.
+    pub fn send_bytes(&mut self, line: &[u8]) -> Result<(), String> {
         let input = self.input.as_mut().ok_or("the input is closed")?;
-        input
-            .write_all(line.as_bytes())
-            .map_err(|e| e.to_string())?;
+        input.write_all(line).map_err(|e| e.to_string())?;
         input.write_all(b"\n").map_err(|e| e.to_string())?;
         input.flush().map_err(|e| e.to_string())
     }
@@ -122,6 +125,16 @@ impl Session {
                 self.waiting.insert(id, message);
             }
         }
+    }
+
+    /// The answer to a request, where it has come.
+    pub fn answered(&mut self, id: u64) -> Option<Value> {
+        while let Ok(Ok(message)) = self.lines.try_recv() {
+            if let Some(id) = message.get("id").and_then(Value::as_u64) {
+                self.waiting.insert(id, message);
+            }
+        }
+        self.waiting.remove(&id)
     }
 
     /// The next message of any kind.

@@ -10,7 +10,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::{Effect, Tool};
+use crate::{Effect, Tool, Weight};
 
 pub(crate) struct AddPart;
 
@@ -65,6 +65,7 @@ impl Tool for AddPart {
         part becomes the root and stands at the origin; every other part gets its place by the mate \
         tool. To change a part's parameters, remove it and add it again.";
     const EFFECT: Effect = Effect::Adds;
+    const WEIGHT: Weight = Weight::Usual;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
         let part = Part {

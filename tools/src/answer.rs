@@ -1,8 +1,9 @@
 //! What tools answer with.
 
 use assemcad_assembly::Faults;
+use assemcad_model::told;
 use schemars::JsonSchema;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 use crate::{arguments, schema};
@@ -23,6 +24,42 @@ pub struct Picture {
     pub caption: String,
     /// The PNG file.
     pub png: Vec<u8>,
+}
+
+/// An answer all of whose lists of diagnostics are short, and say how many more there were.
+pub(crate) fn short(output: Output) -> Output {
+    match output {
+        Output::Object(mut answer) => {
+            shorten(&mut answer);
+            Output::Object(answer)
+        }
+        picture @ Output::Picture(_) => picture,
+    }
+}
+
+fn shorten(answer: &mut Value) {
+    match answer {
+        Value::Object(fields) => {
+            for (name, value) in fields {
+                // A specification may have fields of any name; what is no list of diagnostics stays as it is.
+                let list = name == "diagnostics" || name == "warnings";
+                let long = value
+                    .as_array()
+                    .is_some_and(|all| all.len() > told::MOST_TOLD + 1);
+                if list
+                    && long
+                    && let Ok(all) = Faults::deserialize(&*value)
+                    && let Ok(first) = serde_json::to_value(told::first_of(all))
+                {
+                    *value = first;
+                } else {
+                    shorten(value);
+                }
+            }
+        }
+        Value::Array(items) => items.iter_mut().for_each(shorten),
+        _ => {}
+    }
 }
 
 /// What a tool may answer with.

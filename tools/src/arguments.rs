@@ -4,9 +4,13 @@ use assemcad_assembly::Faults;
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::name::nearest;
 use assemcad_model::param::clip;
+use assemcad_model::told::Capped;
 use jsonschema::error::ValidationErrorKind as Kind;
 use jsonschema::{ValidationError, Validator};
 use serde_json::{Map, Value, json};
+
+/// So many unknown arguments are named.
+const MOST_NAMED: usize = 10;
 
 /// Checks arguments against the schema.
 ///
@@ -17,14 +21,14 @@ pub(crate) fn check(
     schema: &Map<String, Value>,
     given: &Value,
 ) -> Result<(), Faults> {
-    let faults: Faults = validator
-        .iter_errors(given)
-        .map(|e| fault(&e, schema))
-        .collect();
+    let mut faults = Capped::new();
+    for e in validator.iter_errors(given) {
+        faults.push(|| fault(&e, schema));
+    }
     if faults.is_empty() {
         Ok(())
     } else {
-        Err(faults)
+        Err(faults.told())
     }
 }
 
@@ -70,13 +74,18 @@ fn fault(error: &ValidationError<'_>, schema: &Map<String, Value>) -> Diagnostic
                 .and_then(Value::as_object)
                 .map(|p| p.keys().map(String::as_str).collect())
                 .unwrap_or_default();
-            let listed: Vec<String> = unexpected.iter().map(|n| clip(n)).collect();
+            let named = unexpected.iter().take(MOST_NAMED);
+            let named: Vec<String> = named.map(|n| clip(n)).collect();
+            let all = match unexpected.len().saturating_sub(named.len()) {
+                0 => quoted(&named),
+                more => format!("{} and {more} more", quoted(&named)),
+            };
             let d = Diagnostic::error(
                 Code::ArgumentInvalid,
                 place.clone(),
-                format!("there is no argument {}", quoted(&listed)),
+                format!("there is no argument {all}"),
             )
-            .found(json!(listed))
+            .found(json!(named))
             .expected(json!(names));
             match unexpected
                 .first()

@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::{Effect, Tool};
+use crate::{Effect, Tool, Weight};
 
 pub(crate) struct DescribeFactory;
 
@@ -94,6 +94,7 @@ impl Tool for DescribeFactory {
         the ports of the part that it makes: name, type, frame, size and what each can be mated \
         with. Call it before add_part. Give params to see the ports of a part of those sizes.";
     const EFFECT: Effect = Effect::Reads;
+    const WEIGHT: Weight = Weight::Usual;
 
     async fn run(workshop: &Workshop, arguments: Arguments) -> Result<Answer, Faults> {
         let factory = workshop

@@ -14,8 +14,8 @@ pub(crate) struct ExportStep;
 pub(crate) struct Arguments {
     /// Name of the assembly.
     assembly: String,
-    /// Where to: a path below the server's root folder that ends in .step or .stp. Beside the
-    /// assembly's specification where it is left out.
+    /// Where to: a path that ends in .step or .stp, below exports/ASSEMBLY in the server's root folder.
+    /// Beside the assembly's specification where it is left out.
     #[serde(default)]
     file: Option<String>,
 }

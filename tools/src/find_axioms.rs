@@ -14,7 +14,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use crate::{Effect, Tool};
+use crate::{Effect, Tool, Weight};
 
 pub(crate) struct FindAxioms;
 
@@ -153,6 +153,7 @@ impl Tool for FindAxioms {
         validate_draft, to choose the 'axioms' of each mate: a draft needs one or more for every mate, and \
         each must apply to its type, ports and parts. With 'id' it tells the reason and the source too.";
     const EFFECT: Effect = Effect::Reads;
+    const WEIGHT: Weight = Weight::Light;
 
     async fn run(_workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
         let id = a.id.as_deref().map(str::trim);

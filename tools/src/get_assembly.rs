@@ -7,7 +7,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::verify::Detail;
-use crate::{Effect, Tool};
+use crate::{Effect, Tool, Weight};
 
 pub(crate) struct GetAssembly;
 
@@ -39,6 +39,7 @@ impl Tool for GetAssembly {
         its mates, and which parts have no place yet. With detail 'full', its whole specification. \
         Use it to go on after a break; answers of the changing tools tell in short what there is.";
     const EFFECT: Effect = Effect::Reads;
+    const WEIGHT: Weight = Weight::Usual;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
         let state = workshop.state(&a.assembly).await?;

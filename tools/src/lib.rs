@@ -4,6 +4,7 @@
 //! arguments are checked against them before it runs, so that every fault is told in one shape.
 
 use assemcad_assembly::{Faults, Workshop};
+use assemcad_model::told;
 use futures::future::BoxFuture;
 use schemars::JsonSchema;
 use serde::de::DeserializeOwned;
@@ -75,6 +76,8 @@ trait Tool: 'static {
     const DESCRIPTION: &'static str;
     /// What it does to the assemblies.
     const EFFECT: Effect;
+    /// How much work it is.
+    const WEIGHT: Weight = Weight::Heavy;
 
     /// Does it.
     fn run(
@@ -103,6 +106,18 @@ pub enum Effect {
     Removes,
 }
 
+/// How much work a call is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Weight {
+    /// Something is looked up: it waits for nobody.
+    Light,
+    /// A few questions to the kernel.
+    Usual,
+    /// Work on whole assemblies, pictures and trials: seconds, and hundreds of megabytes, so that only a few run
+    /// at once.
+    Heavy,
+}
+
 type Handler = for<'a> fn(&'a Workshop, Value, Caller<'a>) -> BoxFuture<'a, Result<Output, Faults>>;
 
 /// A tool as a server offers it.
@@ -116,6 +131,8 @@ pub struct Offer {
     pub description: &'static str,
     /// What it does to the assemblies.
     pub effect: Effect,
+    /// How much work it is.
+    pub weight: Weight,
     /// JSON Schema of the arguments; an object at the root.
     pub input_schema: Map<String, Value>,
     /// JSON Schema of the answer, an object at the root; none where the answer is a picture.
@@ -132,6 +149,7 @@ impl Offer {
             title: T::TITLE,
             description: T::DESCRIPTION,
             effect: T::EFFECT,
+            weight: T::WEIGHT,
             validator: jsonschema::validator_for(&Value::Object(input_schema.clone())).ok(),
             input_schema,
             output_schema: T::Answer::schema(),
@@ -162,8 +180,13 @@ impl Offer {
         let Some(validator) = &self.validator else {
             return Err(vec![arguments::unreadable(self.name)]);
         };
-        arguments::check(validator, &self.input_schema, &given)?;
+        arguments::check(validator, &self.input_schema, &given).map_err(told::first_of)?;
+        // Another server over the same folder, or an editor, may have written there since the last call.
+        for fault in workshop.load_admitted().await {
+            tracing::warn!("{fault}");
+        }
         let done = (self.handler)(workshop, given, caller).await;
+        let done = done.map(answer::short).map_err(told::first_of);
         let counts = workshop.door.counts();
         tracing::info!(
             "geometry: asked={} computed={} kernel_calls={}",

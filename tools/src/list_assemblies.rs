@@ -4,7 +4,7 @@ use assemcad_assembly::{Faults, Workshop};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Effect, Tool};
+use crate::{Effect, Tool, Weight};
 
 pub(crate) struct ListAssemblies;
 
@@ -26,6 +26,7 @@ impl Tool for ListAssemblies {
     const DESCRIPTION: &'static str = "Lists the names of the assemblies below the server's root \
         folder, those of earlier sessions included. For what is in one call get_assembly.";
     const EFFECT: Effect = Effect::Reads;
+    const WEIGHT: Weight = Weight::Light;
 
     async fn run(workshop: &Workshop, Arguments {}: Arguments) -> Result<Answer, Faults> {
         Ok(Answer {

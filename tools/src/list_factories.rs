@@ -7,7 +7,7 @@ use assemcad_factories::Factory;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Effect, Tool};
+use crate::{Effect, Tool, Weight};
 
 pub(crate) struct ListFactories;
 
@@ -44,6 +44,7 @@ impl Tool for ListFactories {
         parameter names of each. Call it first, to see what an assembly can be made of. For ranges, \
         defaults and ports of one factory call describe_factory.";
     const EFFECT: Effect = Effect::Reads;
+    const WEIGHT: Weight = Weight::Light;
 
     async fn run(workshop: &Workshop, arguments: Arguments) -> Result<Answer, Faults> {
         let wanted = workshop

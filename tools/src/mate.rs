@@ -11,7 +11,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
-use crate::{Effect, Tool};
+use crate::{Effect, Tool, Weight};
 
 pub(crate) struct MakeMate;
 
@@ -164,6 +164,7 @@ impl Tool for MakeMate {
         between two placed parts must hold where they are. A port of the wrong type is refused with \
         those that would fit.";
     const EFFECT: Effect = Effect::Adds;
+    const WEIGHT: Weight = Weight::Usual;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
         let options = a.options();

@@ -5,7 +5,7 @@ use assemcad_views::measure::{Measurement, Question, What};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Effect, Tool};
+use crate::{Effect, Tool, Weight};
 
 pub(crate) struct Measure;
 
@@ -95,6 +95,7 @@ impl Tool for Measure {
         ports, axis_distance_mm), parts and faces by the kernel. An overlap measures as distance 0: \
         verify finds clashes. Nothing is changed.";
     const EFFECT: Effect = Effect::Reads;
+    const WEIGHT: Weight = Weight::Usual;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
         let question = Question {

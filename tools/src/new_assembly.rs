@@ -6,7 +6,7 @@ use assemcad_assembly::{Faults, Workshop};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Effect, Tool};
+use crate::{Effect, Tool, Weight};
 
 pub(crate) struct NewAssembly;
 
@@ -38,6 +38,7 @@ impl Tool for NewAssembly {
         and that every later call gives. The first part added becomes its root: it stands still at \
         the origin and carries the others. To go on with one from before, call get_assembly.";
     const EFFECT: Effect = Effect::Adds;
+    const WEIGHT: Weight = Weight::Usual;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
         let (change, state) = workshop.new_assembly(&a.assembly, &a.description).await?;

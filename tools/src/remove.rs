@@ -5,7 +5,7 @@ use assemcad_assembly::{Faults, Workshop};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::{Effect, Tool};
+use crate::{Effect, Tool, Weight};
 
 pub(crate) struct Remove;
 
@@ -42,6 +42,7 @@ impl Tool for Remove {
         removed only when no mate uses it; the refusal names the mates that do. Use it to change a \
         part or a mate: remove it, then add it again.";
     const EFFECT: Effect = Effect::Removes;
+    const WEIGHT: Weight = Weight::Usual;
 
     async fn run(workshop: &Workshop, a: Arguments) -> Result<Answer, Faults> {
         let state = match a.kind {

@@ -116,8 +116,12 @@ impl Tool for Render {
         let drawn = workshop.draw(&a.assembly, &wanted).await?;
         let mut caption = drawn.caption;
         if a.file {
-            let file = workshop.keep_picture(&a.assembly, &wanted, &drawn.png)?;
-            caption.push_str(&format!("\nFile: {file} ({} bytes).", drawn.png.len()));
+            let kept = match workshop.keep_picture(&a.assembly, &wanted, &drawn.png) {
+                Ok(file) => format!("\nFile: {file} ({} bytes).", drawn.png.len()),
+                // The picture is there to be looked at all the same.
+                Err(d) => format!("\nNo file was kept: {d}."),
+            };
+            caption.push_str(&kept);
         }
         Ok(Picture {
             caption,

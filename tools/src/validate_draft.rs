@@ -2,15 +2,13 @@
 
 use assemcad_assembly::{Faults, Workshop};
 use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
+use assemcad_model::told::{MOST_TOLD, stands_for};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::{Effect, Tool};
 
 pub(crate) struct ValidateDraft;
-
-/// How many diagnostics an answer holds at most.
-const MOST: usize = 40;
 
 #[derive(Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -75,15 +73,15 @@ impl Tool for ValidateDraft {
         let text = text(workshop, a.draft, a.file.as_deref())?;
         let checked = workshop.validate_draft(&text).await?;
         let mut shown = checked.diagnostics;
-        let total = shown.len();
-        let errors_total = shown
-            .iter()
-            .filter(|d| d.severity == Severity::Error)
-            .count();
-        if total > MOST {
+        let total: usize = shown.iter().map(stands_for).sum();
+        let errors = shown.iter().filter(|d| d.severity == Severity::Error);
+        let errors_total = errors.map(stands_for).sum();
+        // Those that only say how many more there are are counted, not shown.
+        shown.retain(|d| d.code != Code::NotShown);
+        if shown.len() > MOST_TOLD {
             // Errors before warnings; within them, the order of the lines.
             shown.sort_by_key(|d| d.severity);
-            shown.truncate(MOST);
+            shown.truncate(MOST_TOLD);
         }
         Ok(Answer {
             valid: checked.assembly.is_some(),

@@ -1,10 +1,9 @@
 //! `verify`.
 
 use assemcad_assembly::report_files::{report_file, report_html, report_markdown};
-use assemcad_assembly::{Faults, Workshop};
+use assemcad_assembly::{Faults, Verified, Workshop};
 use assemcad_model::report::{
-    Axioms, BillLine, Finding, Mass, MateFacts, NearMiss, PairFacts, PartFacts, Report, StepFile,
-    Verdict,
+    Axioms, BillLine, Finding, Mass, MateFacts, NearMiss, PairFacts, PartFacts, StepFile, Verdict,
 };
 use assemcad_verify::{DEFAULT_TAU_MM3, Terms};
 use schemars::JsonSchema;
@@ -70,10 +69,15 @@ pub(crate) struct Answer {
     /// The mass of all parts in kg, where all could be made.
     #[serde(skip_serializing_if = "Option::is_none")]
     mass_kg: Option<f64>,
-    /// The whole report, below the server's root folder.
-    report_file: String,
+    /// The whole report, below the server's root folder; absent where it could not be written.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    report_file: Option<String>,
     /// The report for people to read, as Markdown and as a page for browsers.
-    report_pages: [String; 2],
+    #[serde(skip_serializing_if = "Option::is_none")]
+    report_pages: Option<[String; 2]>,
+    /// What could not be kept on disk; the answer holds all the same.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    not_kept: Option<String>,
     /// SHA-256 of the specification that was verified.
     specification_sha256: String,
     /// What was measured; with detail 'full' only.
@@ -135,12 +139,13 @@ impl Tool for Verify {
             clearance_mm: a.clearance_mm,
             density_kg_m3: a.density_kg_m3,
         };
-        let report = workshop.verify(&a.assembly, &terms).await?;
-        Ok(answer(report, a.detail == Detail::Full))
+        let verified = workshop.verify(&a.assembly, &terms).await?;
+        Ok(answer(verified, a.detail == Detail::Full))
     }
 }
 
-fn answer(report: Report, full: bool) -> Answer {
+fn answer(verified: Verified, full: bool) -> Answer {
+    let Verified { report, not_kept } = verified;
     let findings_total = report.findings.len();
     let of = |check: &str| report.findings.iter().filter(|f| f.check == check).count();
     let checks = report
@@ -155,7 +160,10 @@ fn answer(report: Report, full: bool) -> Answer {
         })
         .collect();
     let id = report.assembly.as_str();
-    let files = (report_file(id), [report_markdown(id), report_html(id)]);
+    let files = not_kept
+        .is_none()
+        .then(|| (report_file(id), [report_markdown(id), report_html(id)]));
+    let (report_file, report_pages) = files.unzip();
     let (mut findings, mut axioms) = (report.findings, report.axioms);
     if !full {
         axioms.each.clear();
@@ -170,8 +178,9 @@ fn answer(report: Report, full: bool) -> Answer {
         not_checked: report.not_checked,
         axioms,
         mass_kg: report.mass.total_kg,
-        report_file: files.0,
-        report_pages: files.1,
+        report_file,
+        report_pages,
+        not_kept: not_kept.map(|d| d.to_string()),
         specification_sha256: report.specification_sha256,
         measured: full.then_some(Measured {
             parts: report.parts,

@@ -2,16 +2,19 @@
 //!
 //! A kind of work ([`Work`]) says what a job and its reply are. The server has jobs done by a [`Pool`]
 //! of worker processes; a worker process serves them with [`serve`]. What a worker does to itself, it
-//! does to nobody else: one that crashes, hangs or runs out of its limits costs one [`Failure`].
+//! does to nobody else: one that crashes, hangs or runs out of its limits costs one [`Failure`]. It sees nothing of
+//! the user's: no files but those in folders of its own, no network, no other process, no environment.
 
 mod limits;
 mod pool;
 pub mod protocol;
+mod seclude;
 mod serve;
 
 pub use limits::Limits;
 pub use pool::{Config, Pool};
 pub use protocol::{Doing, Failure, FailureKind, Message};
+pub use seclude::{Keeps, missing as missing_seclusion};
 pub use serve::{Handler, Refusal, Tell, serve};
 
 /// A kind of work that worker processes do.
@@ -22,9 +25,6 @@ pub trait Work {
     type Reply: serde::Serialize + serde::de::DeserializeOwned;
     /// The subcommand of the program that makes it a worker for this kind of work.
     const SUBCOMMAND: &'static str;
-    /// Whether a worker does without the environment of the server, except where the dynamic linker
-    /// looks for libraries, and its last words on standard error are listened to.
-    const SECLUDED: bool = false;
     /// A job's name, for diagnostics.
     fn name(job: &Self::Job) -> &'static str;
 }

@@ -36,20 +36,6 @@ impl Limits {
     }
 }
 
-/// Takes from this process, for good, what a worker for other people's texts has no use for: opening
-/// files and sockets, and writing files. What is open stays open.
-///
-/// Starting processes is not among it: that limit counts the threads of all processes of a user.
-///
-/// # Errors
-/// When the system refuses.
-pub(crate) fn seclude() -> io::Result<()> {
-    for what in [Resource::Nofile, Resource::Fsize] {
-        setrlimit(what, NOTHING)?;
-    }
-    Ok(())
-}
-
 const NOTHING: Rlimit = Rlimit {
     current: Some(0),
     maximum: Some(0),

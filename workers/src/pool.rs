@@ -23,9 +23,10 @@ use tokio::task::JoinHandle;
 use crate::protocol::{self, Doing, Failure, FailureKind, Message};
 use crate::{Limits, Work};
 
-/// Where the dynamic linker is told to look for libraries: all that a secluded worker keeps of the
-/// environment.
-const LINKER: [&str; 3] = [
+/// What a worker keeps of the environment: where the dynamic linker is told to look for libraries, and how much is
+/// logged.
+const KEPT: [&str; 4] = [
+    "ASSEMCAD_LOG",
     "LD_LIBRARY_PATH",
     "DYLD_LIBRARY_PATH",
     "DYLD_FALLBACK_LIBRARY_PATH",
@@ -189,16 +190,8 @@ impl<W: Work> Pool<W> {
         // prints on standard output cannot touch it.
         command.stdin(Stdio::from(OwnedFd::from(theirs)));
         command.stdout(Stdio::null()).kill_on_drop(true);
-        if W::SECLUDED {
-            command.stderr(Stdio::piped()).env_clear();
-            command.envs(
-                LINKER
-                    .iter()
-                    .filter_map(|k| Some((k, std::env::var_os(k)?))),
-            );
-        } else {
-            command.stderr(Stdio::inherit());
-        }
+        command.stderr(Stdio::piped()).env_clear();
+        command.envs(KEPT.iter().filter_map(|k| Some((k, std::env::var_os(k)?))));
         let mut child = command.spawn()?;
         let last_words = child.stderr.take().map(|said| tokio::spawn(listen(said)));
         Ok(Worker {
@@ -329,16 +322,24 @@ async fn converse<W: Work>(
         let mut head = [0; 8];
         worker.socket.read_exact(&mut head).await?;
         let (header, block) = protocol::lengths(head)?;
-        let mut header = vec![0; header];
-        worker.socket.read_exact(&mut header).await?;
-        let mut bytes = vec![0; block];
-        worker.socket.read_exact(&mut bytes).await?;
+        let header = exactly(&mut worker.socket, header).await?;
+        let bytes = exactly(&mut worker.socket, block).await?;
         match serde_json::from_slice(&header)? {
             Message::Doing(what) => *doing = Some(what),
             Message::Done(reply) => return Ok(Ok((reply, bytes))),
             Message::Failed(failure) => return Ok(Err(failure)),
         }
     }
+}
+
+/// So many bytes, which take memory as they come: a length is a worker's claim.
+async fn exactly(socket: &mut UnixStream, length: usize) -> std::io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    socket.take(length as u64).read_to_end(&mut bytes).await?;
+    if bytes.len() < length {
+        return Err(std::io::ErrorKind::UnexpectedEof.into());
+    }
+    Ok(bytes)
 }
 
 fn failed(kind: FailureKind, message: &str) -> Failure {

@@ -8,8 +8,11 @@ use std::io::{self, Read, Write};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-/// The longest header or block that is accepted, in bytes.
-pub const MAX_LENGTH: u32 = 1 << 30;
+/// The longest header that is accepted, in bytes.
+pub const MAX_HEADER: u32 = 64 << 20;
+
+/// The longest block that is accepted, in bytes: the STEP file of a large assembly.
+pub const MAX_BLOCK: u32 = 256 << 20;
 
 /// What a worker answers.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -87,18 +90,18 @@ pub fn write<T: Serialize>(to: &mut impl Write, header: &T, block: &[u8]) -> io:
 /// The bytes of one message.
 ///
 /// # Errors
-/// When the header is no JSON or a length exceeds [`MAX_LENGTH`].
+/// When the header is no JSON or one of the two is too long.
 pub fn encode<T: Serialize>(header: &T, block: &[u8]) -> io::Result<Vec<u8>> {
     let header = serde_json::to_vec(header)?;
-    let length = |n: usize| {
+    let length = |n: usize, most: u32| {
         u32::try_from(n)
             .ok()
-            .filter(|n| *n <= MAX_LENGTH)
-            .ok_or_else(|| io::Error::new(io::ErrorKind::InvalidData, "message too long"))
+            .filter(|n| *n <= most)
+            .ok_or_else(too_long)
     };
     let mut bytes = Vec::with_capacity(8 + header.len() + block.len());
-    bytes.extend(length(header.len())?.to_le_bytes());
-    bytes.extend(length(block.len())?.to_le_bytes());
+    bytes.extend(length(header.len(), MAX_HEADER)?.to_le_bytes());
+    bytes.extend(length(block.len(), MAX_BLOCK)?.to_le_bytes());
     bytes.extend(header);
     bytes.extend(block);
     Ok(bytes)
@@ -107,18 +110,15 @@ pub fn encode<T: Serialize>(header: &T, block: &[u8]) -> io::Result<Vec<u8>> {
 /// The two lengths at the head of a message.
 ///
 /// # Errors
-/// When one exceeds [`MAX_LENGTH`].
+/// When one exceeds what is accepted.
 pub fn lengths(head: [u8; 8]) -> io::Result<(usize, usize)> {
     let [a, b, c, d, e, f, g, h] = head;
     let (header, block) = (
         u32::from_le_bytes([a, b, c, d]),
         u32::from_le_bytes([e, f, g, h]),
     );
-    if header > MAX_LENGTH || block > MAX_LENGTH {
-        return Err(io::Error::new(
-            io::ErrorKind::InvalidData,
-            "message too long",
-        ));
+    if header > MAX_HEADER || block > MAX_BLOCK {
+        return Err(too_long());
     }
     Ok((header as usize, block as usize))
 }
@@ -134,11 +134,23 @@ pub fn read<T: DeserializeOwned>(from: &mut impl Read) -> io::Result<Option<(T, 
         other => other?,
     }
     let (header, block) = lengths(head)?;
-    let mut header = vec![0; header];
-    from.read_exact(&mut header)?;
-    let mut bytes = vec![0; block];
-    from.read_exact(&mut bytes)?;
+    let header = exactly(from, header)?;
+    let bytes = exactly(from, block)?;
     Ok(Some((serde_json::from_slice(&header)?, bytes)))
+}
+
+/// So many bytes, which take memory as they come: a length is a claim.
+fn exactly(from: &mut impl Read, length: usize) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    from.take(length as u64).read_to_end(&mut bytes)?;
+    if bytes.len() < length {
+        return Err(io::ErrorKind::UnexpectedEof.into());
+    }
+    Ok(bytes)
+}
+
+fn too_long() -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidData, "message too long")
 }
 
 #[cfg(test)]

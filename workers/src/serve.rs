@@ -6,9 +6,21 @@ use std::io;
 use std::os::fd::AsFd;
 use std::os::unix::net::UnixStream;
 
+use rustix::event::{PollFd, PollFlags, poll};
+
 use crate::Work;
 use crate::limits::{self, Limits};
 use crate::protocol::{self, Doing, Failure, FailureKind, Message};
+use crate::seclude::{Keeps, seclude};
+
+/// What is seen of a socket whose other end is closed.
+#[cfg(target_os = "linux")]
+const GONE: PollFlags = PollFlags::RDHUP;
+#[cfg(not(target_os = "linux"))]
+const GONE: PollFlags = PollFlags::HUP;
+
+/// The stack of a thread that waits, in bytes.
+const WATCH_STACK: usize = 128 << 10;
 
 /// Says what is about to be done.
 pub type Tell<'a> = &'a mut dyn FnMut(Doing);
@@ -39,16 +51,21 @@ pub trait Handler<W: Work> {
 
 /// Serves jobs from the socket that is this process's standard input, until it closes.
 ///
-/// Of the limits, memory and processor time are set here; elapsed time is the pool's matter.
+/// Of the limits, memory and processor time are set here; elapsed time is the pool's matter. The process keeps what
+/// it is told to keep, and nothing else ([`Keeps`]). It ends when the socket closes, even in the middle of a job:
+/// nobody waits for the answer.
 ///
 /// # Errors
 /// When the limits cannot be set or the socket breaks.
-pub fn serve<W: Work>(limits: Limits, mut handler: impl Handler<W>) -> io::Result<()> {
+pub fn serve<W: Work>(
+    limits: Limits,
+    keeps: &Keeps,
+    mut handler: impl Handler<W>,
+) -> io::Result<()> {
     limits::set_memory_mb(limits.memory_mb)?;
     let mut socket = UnixStream::from(io::stdin().as_fd().try_clone_to_owned()?);
-    if W::SECLUDED {
-        limits::seclude()?;
-    }
+    seclude(keeps)?;
+    end_with_the_server()?;
     while let Some((job, _)) = protocol::read::<W::Job>(&mut socket)? {
         limits::allow_cpu_s(limits.cpu_s)?;
         let mut last = None;
@@ -82,6 +99,24 @@ pub fn serve<W: Work>(limits: Limits, mut handler: impl Handler<W>) -> io::Resul
         }
     }
     Ok(())
+}
+
+/// Ends this process when nobody is at the other end of standard input any more.
+fn end_with_the_server() -> io::Result<()> {
+    let watch = || {
+        let input = io::stdin();
+        loop {
+            let mut asked = [PollFd::new(&input, GONE)];
+            match poll(&mut asked, None) {
+                Ok(_) => std::process::exit(0),
+                Err(rustix::io::Errno::INTR) => {}
+                // The job goes on without being watched, as far as its limits let it.
+                Err(_) => return,
+            }
+        }
+    };
+    let thread = std::thread::Builder::new().name("watch".to_owned());
+    thread.stack_size(WATCH_STACK).spawn(watch).map(drop)
 }
 
 fn failure(refusal: Refusal, doing: Option<Doing>, limits: Limits) -> Failure {

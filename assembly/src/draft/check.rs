@@ -1,14 +1,16 @@
 //! What can be wrong with a draft beyond its form.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
-use assemcad_model::name::{self, nearest};
+use assemcad_model::name::{self, instead};
 use assemcad_model::param::clip;
-use assemcad_model::spec::{End, Mate, Part};
-use assemcad_placing::resolved::port;
+use assemcad_model::spec::Part;
+use assemcad_model::told::Capped;
+use assemcad_placing::resolved::port_among;
 use assemcad_placing::{ResolvedMate, ResolvedPart};
 use assemcad_store::draft::{Draft, Loose};
 use assemcad_verify::axioms::cite::Cited;
-use futures::future::join_all;
 use serde_json::{Value, json};
 
 use super::layout::{coincident, unreached, unsupported};
@@ -63,25 +65,23 @@ fn bad_name(place: String, name: &str) -> Diagnostic {
 }
 
 fn names<T>(draft: &Draft, list: &str, all: &[Loose<T>], found: &mut Vec<Diagnostic>) {
+    let mut first: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut wrong = Capped::new();
     for (i, item) in all.iter().enumerate() {
         let Some(id) = &item.id else { continue };
-        let place = draft.place(&format!("{list}[{i}].id"));
+        let place = || draft.place(&format!("{list}[{i}].id"));
+        let first = *first.entry(id).or_insert(i);
         if !name::is_valid(id) {
-            found.push(bad_name(place, id));
-        } else if let Some(first) = all.iter().position(|x| x.id.as_ref() == Some(id))
-            && first < i
-        {
-            let at = draft.place(&format!("{list}[{first}].id"));
-            found.push(
-                Diagnostic::error(
-                    Code::NameTaken,
-                    place,
-                    format!("'{id}' is the name of {at} already"),
-                )
-                .found(id.as_str()),
-            );
+            wrong.push(|| bad_name(place(), id));
+        } else if first < i {
+            wrong.push(|| {
+                let at = draft.place(&format!("{list}[{first}].id"));
+                let message = format!("'{id}' is the name of {at} already");
+                Diagnostic::error(Code::NameTaken, place(), message).found(id.as_str())
+            });
         }
     }
+    found.extend(wrong.told());
 }
 
 /// The parts that resolve, each with its index in the draft.
@@ -91,17 +91,15 @@ async fn parts(
     found: &mut Vec<Diagnostic>,
 ) -> Vec<(usize, ResolvedPart)> {
     let mut resolved = Vec::new();
-    let whole: Vec<(usize, &Part, String)> = draft
+    let whole: Vec<(usize, &Part)> = draft
         .parts
         .iter()
         .enumerate()
-        .filter_map(|(i, loose)| Some((i, loose.whole.as_ref()?, format!("parts[{i}]"))))
+        .filter_map(|(i, loose)| Some((i, loose.whole.as_ref()?)))
         .collect();
-    let each = whole
-        .iter()
-        .map(|(_, part, place)| resolve::part(workshop, part, place));
-    for ((i, _, place), result) in whole.iter().zip(join_all(each).await) {
-        let i = *i;
+    let made = resolve::parts(workshop, &whole).await;
+    for ((i, _), result) in whole.iter().zip(made) {
+        let (i, place) = (*i, &format!("parts[{i}]"));
         match result {
             Ok(part) => resolved.push((i, part)),
             Err(faults) => found.extend(faults.into_iter().map(|d| {
@@ -137,13 +135,25 @@ fn mates(
 ) -> Vec<(usize, ResolvedMate)> {
     let there: Vec<ResolvedPart> = parts.iter().map(|(_, p)| p.clone()).collect();
     let assembly = draft.id.as_deref().unwrap_or_default();
+    let by_name = resolve::by_name(&there);
+    let named = |id: &str| by_name.get(id).copied();
+    let written: BTreeSet<&str> = draft.parts.iter().filter_map(|p| p.id.as_deref()).collect();
+    let mut unknown = Capped::new();
     let mut resolved = Vec::new();
     for (i, loose) in draft.mates.iter().enumerate() {
         let Some(mate) = &loose.whole else { continue };
         let at = |field: &str| format!("mates[{i}].{field}");
         let mut cited = Cited::of_type(mate.mate_type);
-        if ends(draft, &there, mate, &at, found) {
-            match resolve::mate(&there, assembly, mate, &at) {
+        for (end, field) in [(&mate.base, "base"), (&mate.incoming, "incoming")] {
+            if !written.contains(end.part.as_str()) {
+                unknown.push(|| {
+                    let place = draft.place(&format!("{}.ref", at(field)));
+                    part_unknown(draft, &end.part, place)
+                });
+            }
+        }
+        if named(&mate.base.part).is_some() && named(&mate.incoming.part).is_some() {
+            match resolve::mate_among(&there, &named, assembly, mate, &at) {
                 Ok(mate) => {
                     cited = Cited::resolved(&mate, &there);
                     resolved.push((i, mate));
@@ -160,8 +170,8 @@ fn mates(
                 found.extend(faults.into_iter().map(|d| placed(draft, d)));
             }
             for (end, field) in [(&mate.base, "base"), (&mate.incoming, "incoming")] {
-                if there.iter().any(|p| p.id == end.part)
-                    && let Err(d) = port(&there, end, &at(field))
+                if named(&end.part).is_some()
+                    && let Err(d) = port_among(&there, &named, end, &at(field))
                 {
                     found.push(placed(draft, d));
                 }
@@ -172,29 +182,8 @@ fn mates(
             Some(j) => draft.place(&format!("mates[{i}].axioms[{j}]")),
         }));
     }
+    found.extend(unknown.told());
     resolved
-}
-
-/// Whether both parts of a mate are there and in order; names that no part has are told.
-fn ends(
-    draft: &Draft,
-    there: &[ResolvedPart],
-    mate: &Mate,
-    at: &dyn Fn(&str) -> String,
-    found: &mut Vec<Diagnostic>,
-) -> bool {
-    let mut whole = true;
-    let mut end = |end: &End, field: &str| {
-        whole &= there.iter().any(|p| p.id == end.part);
-        let named = |p: &Loose<_>| p.id.as_ref() == Some(&end.part);
-        if !draft.parts.iter().any(named) {
-            let place = draft.place(&format!("{}.ref", at(field)));
-            found.push(part_unknown(draft, &end.part, place));
-        }
-    };
-    end(&mate.base, "base");
-    end(&mate.incoming, "incoming");
-    whole
 }
 
 fn part_unknown(draft: &Draft, id: &str, place: String) -> Diagnostic {
@@ -204,9 +193,10 @@ fn part_unknown(draft: &Draft, id: &str, place: String) -> Diagnostic {
         place,
         format!("there is no part '{}'", clip(id)),
     )
-    .found(id)
-    .expected(json!(names));
-    match nearest(id, names.iter().copied(), 1).first() {
+    .found(id);
+    let (offered, near) = instead(id, &names);
+    let d = d.expected(offered);
+    match near {
         Some(near) => d.hint(format!("did you mean '{near}'?")),
         None => d,
     }

@@ -1,6 +1,6 @@
 //! What can be wrong with a draft as a whole: where its parts land, and what holds them.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::frame::{Placement, Rows};
@@ -78,28 +78,28 @@ pub(super) fn coincident(
         let mate = placed.placed_by.get(part).copied().flatten()?;
         resolved.mates.get(mate).map(|m| (mate, m))
     };
-    // The parts so far by where they are, and by the face that they were brought to.
-    let mut there: BTreeMap<[u64; 12], Vec<usize>> = BTreeMap::new();
-    let mut on_face: BTreeMap<(bool, String), Vec<usize>> = BTreeMap::new();
+    // The first part of each solid in each place, and the first that a face was brought to with each set of options:
+    // nothing is compared with all that came before.
+    let mut there: BTreeMap<([u64; 12], &str), usize> = BTreeMap::new();
+    let mut on_face: BTreeMap<(bool, String, String), usize> = BTreeMap::new();
     for (j, (_, second)) in parts.iter().enumerate() {
         let Some((mate, m)) = by(j) else { continue };
-        let place = there.entry(placed.of(j).as_ref().map(bits).unwrap_or_default());
-        let place = place.or_default();
-        let face = on_face.entry((m.base == j, beyond(m, j).to_string()));
-        let face = face.or_default();
-        let before: BTreeSet<usize> = place.iter().chain(face.iter()).copied().collect();
-        place.push(j);
-        face.push(j);
-        let twin = before.into_iter().find_map(|i| {
-            let (_, n) = by(i)?;
-            let (_, first) = parts.get(i)?;
-            let same = || first.made.solid == second.made.solid;
-            match (placed.of(i), placed.of(j)) {
-                (Some(a), Some(b)) if a == b && same() => Some((first, true)),
-                _ => (faces_meet(n, m) && shared(n, i, m, j)).then_some((first, false)),
-            }
+        let same_place = placed.of(j).and_then(|at| {
+            let first = there.entry((bits(&at), second.made.solid.hash()));
+            Some(*first.or_insert(j)).filter(|i| *i != j)
         });
-        let Some((first, sure)) = twin else { continue };
+        let same_face = (m.mate.mate_type == MateType::FaceToFace)
+            .then(|| (m.base == j, beyond(m, j).to_string(), m.options.key()))
+            .and_then(|face| Some(*on_face.entry(face).or_insert(j)).filter(|i| *i != j));
+        let (first, sure) = match (same_place, same_face) {
+            (None, None) => continue,
+            (Some(i), Some(k)) if k < i => (k, false),
+            (Some(i), _) => (i, true),
+            (None, Some(k)) => (k, false),
+        };
+        let Some((_, first)) = parts.get(first) else {
+            continue;
+        };
         let index = mates.get(mate).map(|(i, _)| *i).unwrap_or_default();
         let place = draft.place(&format!("mates[{index}]"));
         let d = if sure {
@@ -192,19 +192,6 @@ fn hold(mate: &Loose<Mate>, resolved: Option<&ResolvedMate>) -> Hold {
         // One whose form is at fault may yet become one that holds it.
         _ => Hold::Held,
     }
-}
-
-/// Whether two mates put faces on faces with equal options.
-fn faces_meet(n: &ResolvedMate, m: &ResolvedMate) -> bool {
-    n.mate.mate_type == m.mate.mate_type
-        && n.options == m.options
-        && n.mate.mate_type == MateType::FaceToFace
-}
-
-/// Whether two mates bring their parts (by index) to the same port of the same part.
-fn shared(n: &ResolvedMate, i: usize, m: &ResolvedMate, j: usize) -> bool {
-    let side = (n.base == i) == (m.base == j);
-    side && beyond(n, i) == beyond(m, j)
 }
 
 /// The end of a mate that is not on a part (by index).

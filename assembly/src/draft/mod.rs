@@ -6,11 +6,17 @@
 use crate::{Faults, Workshop};
 use assemcad_model::canonical::sha256;
 use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
+use assemcad_model::name;
 use assemcad_model::spec::Assembly;
 use assemcad_store::{Draft, Round, history};
 
+use crate::verify::not_kept;
+
 mod check;
 mod layout;
+mod nameless;
+
+pub(crate) use nameless::Nameless;
 
 /// Where the rounds of drafts are counted.
 const ROUNDS: &str = ".assemcad/drafts";
@@ -66,11 +72,21 @@ impl Workshop {
         let mut checked = check(self, text).await;
         let round = Round::of(&checked.diagnostics, sha256(text.as_bytes()));
         let valid = checked.assembly.is_some();
-        let history = self
-            .store
-            .count_round(ROUNDS, checked.id.as_deref(), round, valid)
-            .await
-            .map_err(|d| vec![d])?;
+        let history = match checked.id.as_deref().filter(|id| name::is_valid(id)) {
+            Some(id) => {
+                self.nameless.clear();
+                let counted = self
+                    .store
+                    .count_round(ROUNDS, Some(id), round.clone(), valid);
+                // What is wrong with the draft is known without the count.
+                counted.await.unwrap_or_else(|d| {
+                    checked.diagnostics.push(not_kept(d));
+                    vec![round]
+                })
+            }
+            // Whoever gives no name has no row on disk: it would be that of all who give none.
+            None => self.nameless.count(round),
+        };
         checked.round = history.len();
         if valid || history.len() < self.draft_rounds {
             return Ok(checked);

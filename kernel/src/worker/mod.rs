@@ -7,7 +7,7 @@ mod jobs;
 use std::io;
 use std::path::PathBuf;
 
-use assemcad_workers::{Handler, Limits, Refusal, Tell};
+use assemcad_workers::{Handler, Keeps, Limits, Refusal, Tell};
 
 use crate::memory;
 use crate::protocol::{Job, KernelWork, Reply};
@@ -36,7 +36,17 @@ pub fn run(settings: Settings) -> io::Result<()> {
         cpu_s: settings.cpu_s,
         ..Limits::default()
     };
-    assemcad_workers::serve::<KernelWork>(limits, jobs::Bench::new(settings.cache))
+    let keeps = Keeps {
+        folders: settings.cache.iter().cloned().collect(),
+        // How much memory it has in use.
+        read: vec!["/proc/self".into()],
+    };
+    if let Some(folder) = &settings.cache
+        && let Err(e) = std::fs::create_dir_all(folder)
+    {
+        tracing::warn!("solids cannot be kept on disk: {e}");
+    }
+    assemcad_workers::serve::<KernelWork>(limits, &keeps, jobs::Bench::new(settings.cache))
 }
 
 impl Handler<KernelWork> for jobs::Bench {

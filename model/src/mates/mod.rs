@@ -174,6 +174,27 @@ pub struct Condition {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Options(Map<String, Value>);
 
+impl Options {
+    /// A text that is the same for equal options, and for no others.
+    #[must_use]
+    pub fn key(&self) -> String {
+        let numbers = self
+            .0
+            .values()
+            .map(|v| v.as_f64().map(|x| (x + 0.0).to_bits()));
+        // Numbers by their value, however they are written; all else as it is written.
+        let each = self
+            .0
+            .iter()
+            .zip(numbers)
+            .map(|((name, value), number)| match number {
+                Some(bits) => format!("{name}={bits:x};"),
+                None => format!("{name}={value};"),
+            });
+        each.collect()
+    }
+}
+
 impl MateType {
     /// The description of the type.
     #[must_use]

@@ -7,10 +7,12 @@
 
 use serde_json::{Map, Value};
 
+mod entries;
 mod read;
 mod scalar;
 mod write;
 
+pub use entries::Entries;
 pub use read::{MOST_BYTES, MOST_DEPTH, MOST_NODES, Read, read};
 pub use write::{flow, write};
 
@@ -36,7 +38,7 @@ pub enum Kind {
     /// A sequence.
     List(Vec<Node>),
     /// A mapping, in the order of the text.
-    Map(Vec<(Key, Node)>),
+    Map(Entries),
 }
 
 /// The key of a mapping.
@@ -62,7 +64,7 @@ impl Node {
     #[must_use]
     pub fn get(&self, name: &str) -> Option<&Self> {
         match &self.kind {
-            Kind::Map(entries) => entries.iter().find(|(k, _)| k.name == name).map(|(_, v)| v),
+            Kind::Map(entries) => entries.find(name).map(|(_, v)| v),
             _ => None,
         }
     }
@@ -74,10 +76,9 @@ impl Node {
         let mut line = self.line;
         for step in path {
             let next = match (&node.kind, step) {
-                (Kind::Map(entries), Step::Key(name)) => entries
-                    .iter()
-                    .find(|(k, _)| k.name == *name)
-                    .map(|(k, v)| (k.line, v)),
+                (Kind::Map(entries), Step::Key(name)) => {
+                    entries.find(name).map(|(k, v)| (k.line, v))
+                }
                 (Kind::Map(entries), Step::Index(i)) => entries.get(*i).map(|(k, v)| (k.line, v)),
                 (Kind::List(items), Step::Index(i)) => items.get(*i).map(|v| (v.line, v)),
                 _ => None,

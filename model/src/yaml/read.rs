@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use saphyr_parser::{Event, Parser, ScalarStyle, ScanError, Span};
 
-use super::{Key, Kind, Node};
+use super::{Entries, Key, Kind, Node};
 use crate::diagnostic::{Code, Diagnostic};
 use crate::param::clip;
+use crate::told::Capped;
 
 /// The longest text that is read, in bytes: some ten thousand parts.
 pub const MOST_BYTES: usize = 2 << 20;
@@ -29,7 +30,7 @@ pub struct Read {
 /// Reads one document.
 #[must_use]
 pub fn read(text: &str) -> Read {
-    let mut faults = Vec::new();
+    let mut found = Capped::new();
     if text.len() > MOST_BYTES {
         let d = fault(1, "the text is too long")
             .found(format!("{} bytes", text.len()))
@@ -40,21 +41,22 @@ pub fn read(text: &str) -> Read {
         };
     }
     let mut reader = Reader {
-        faults: &mut faults,
+        faults: &mut found,
         anchors: BTreeMap::new(),
         open: Vec::new(),
         root: None,
         nodes: 0,
+        copied: 0,
         texts: Vec::new(),
     };
-    let node = match reader.run(text) {
-        Ok(()) => reader.root.take(),
-        Err(stop) => {
-            faults.push(*stop);
-            return Read { node: None, faults };
-        }
-    };
+    let ended = reader.run(text);
+    let node = reader.root.take();
     let spans = core::mem::take(&mut reader.texts);
+    let mut faults = found.told();
+    if let Err(stop) = ended {
+        faults.push(*stop);
+        return Read { node: None, faults };
+    }
     if node.is_none() && faults.is_empty() {
         faults.push(fault(1, "the text is empty"));
     }
@@ -86,12 +88,14 @@ struct Open {
 }
 
 struct Reader<'a> {
-    faults: &'a mut Vec<Diagnostic>,
+    faults: &'a mut Capped,
     /// Anchored nodes with their sizes. Ordered, so that nothing depends on a hash.
     anchors: BTreeMap<usize, (Node, usize)>,
     open: Vec<Open>,
     root: Option<Node>,
     nodes: usize,
+    /// Nodes that were copied for anchors.
+    copied: usize,
     /// Where scalars stand in the text, in characters: a `#` in there is no comment.
     texts: Vec<(usize, usize)>,
 }
@@ -120,15 +124,9 @@ impl Reader<'_> {
                         plain,
                     };
                     self.count(1, line)?;
-                    self.anchor(
-                        anchor,
-                        &Node {
-                            line,
-                            kind: kind.clone(),
-                        },
-                        1,
-                    );
-                    self.put(Node { line, kind });
+                    let node = Node { line, kind };
+                    self.anchor(anchor, &node, 1)?;
+                    self.put(node);
                 }
                 Event::SequenceStart(anchor, tag) => {
                     self.untagged(tag.is_some(), line);
@@ -136,7 +134,7 @@ impl Reader<'_> {
                 }
                 Event::MappingStart(anchor, tag) => {
                     self.untagged(tag.is_some(), line);
-                    self.begin(Kind::Map(Vec::new()), anchor, &span)?;
+                    self.begin(Kind::Map(Entries::default()), anchor, &span)?;
                 }
                 Event::SequenceEnd | Event::MappingEnd => {
                     if let Some(open) = self.open.pop() {
@@ -144,7 +142,7 @@ impl Reader<'_> {
                             line: open.line,
                             kind: open.kind,
                         };
-                        self.anchor(open.anchor, &node, self.nodes - open.before);
+                        self.anchor(open.anchor, &node, self.nodes - open.before)?;
                         self.put(node);
                     }
                 }
@@ -201,18 +199,25 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn anchor(&mut self, anchor: usize, node: &Node, size: usize) {
+    fn anchor(&mut self, anchor: usize, node: &Node, size: usize) -> Result<(), Box<Diagnostic>> {
         // Nought is "no anchor".
         if anchor != 0 {
+            // Anchors within anchors copy the innermost as often as they are nested.
+            self.copied += size;
+            if self.copied > MOST_NODES {
+                return Err(Box::new(too_many(node.line)));
+            }
             self.anchors.insert(anchor, (node.clone(), size));
         }
+        Ok(())
     }
 
     fn untagged(&mut self, tagged: bool, line: usize) {
         if tagged {
-            let d = fault(line, "tags (such as !!str) have no meaning here")
-                .hint("quote what must be text, and leave the tag out");
-            self.faults.push(d);
+            self.faults.push(|| {
+                fault(line, "tags (such as !!str) have no meaning here")
+                    .hint("quote what must be text, and leave the tag out")
+            });
         }
     }
 
@@ -225,17 +230,14 @@ impl Reader<'_> {
         match (&mut open.kind, open.key.take()) {
             (Kind::List(items), _) => items.push(node),
             (Kind::Map(entries), Some(key)) => {
-                match entries.iter().find(|(k, _)| k.name == key.name) {
-                    // The first one stays, so that all else can be checked.
-                    Some((first, _)) => {
-                        let message = format!(
-                            "the key '{}' is given twice, first on line {}",
-                            clip(&key.name),
-                            first.line
-                        );
-                        self.faults.push(fault(key.line, message));
-                    }
-                    None => entries.push((key, node)),
+                // The first one stays, so that all else can be checked.
+                if let Err((key, first)) = entries.add(key, node) {
+                    self.faults.push(|| {
+                        let name = clip(&key.name);
+                        let message =
+                            format!("the key '{name}' is given twice, first on line {first}");
+                        fault(key.line, message)
+                    });
                 }
             }
             (Kind::Map(_), None) => match node.kind {
@@ -247,7 +249,7 @@ impl Reader<'_> {
                 }
                 _ => {
                     self.faults
-                        .push(fault(node.line, "a list or mapping cannot be a key"));
+                        .push(|| fault(node.line, "a list or mapping cannot be a key"));
                     open.key = Some(Key {
                         name: String::new(),
                         line: node.line,

@@ -9,7 +9,7 @@ mod wire;
 use std::io;
 
 use assemcad_model::diagnostic::Diagnostic;
-use assemcad_workers::{Handler, Limits, Refusal, Tell, Work};
+use assemcad_workers::{Handler, Keeps, Limits, Refusal, Tell, Work};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
@@ -25,7 +25,6 @@ impl Work for ScriptWork {
     type Job = Job;
     type Reply = Reply;
     const SUBCOMMAND: &'static str = "script-worker";
-    const SECLUDED: bool = true;
     fn name(job: &Job) -> &'static str {
         match job {
             Job::Declare { .. } => "reading the source",
@@ -91,7 +90,8 @@ pub enum Reply {
 /// # Errors
 /// When the limits cannot be set or the socket breaks.
 pub fn run(limits: Limits) -> io::Result<()> {
-    assemcad_workers::serve::<ScriptWork>(limits, Desk)
+    // It keeps nothing: all that it needs comes with the job.
+    assemcad_workers::serve::<ScriptWork>(limits, &Keeps::default(), Desk)
 }
 
 /// Evaluates in this process.
