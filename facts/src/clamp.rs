@@ -1,6 +1,6 @@
 //! What lies in the grip of a screw: the parts through which its pull goes back to its thread.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use assemcad_geometry::narrow::meet::{Kind, Meeting};
 use nalgebra::Vector3;
@@ -12,15 +12,80 @@ use crate::stops::stops;
 /// A contact passes the pull on where its normal goes along it by this cosine: countersunk heads do.
 const ALONG: f64 = 0.3;
 
-/// The parts between a screw's head, or its end, and its thread; none where the stack gapes anywhere.
-pub(crate) fn grip(of: &Placed<'_>, engaged: &[Engaged], e: &Engaged) -> BTreeSet<usize> {
-    // A stud's nut pulls against what the stud is screwed into.
-    let others = engaged
-        .iter()
-        .filter(|o| o.screw == e.screw && o.nut != e.nut);
-    let heads: BTreeSet<usize> = [e.screw].into_iter().chain(others.map(|o| o.nut)).collect();
-    let onward = |part: usize, way: &Vector3<f64>| -> Vec<usize> {
-        let pairs = of.pairs.iter().filter(|p| p.a == part || p.b == part);
+/// Directions are told apart down to this, in unit vectors.
+const SAME_WAY: f64 = 1e-6;
+
+/// Which parts press on which, along the directions in which screws pull.
+pub(crate) struct Presses<'a> {
+    of: &'a Placed<'a>,
+    /// The pairs of each part.
+    pairs: Vec<Vec<usize>>,
+    /// The parts that a part presses on along a direction, once they were asked for.
+    known: BTreeMap<(usize, [i64; 3]), Vec<usize>>,
+}
+
+impl<'a> Presses<'a> {
+    pub(crate) fn new(of: &'a Placed<'a>) -> Self {
+        let mut pairs = vec![Vec::new(); of.parts];
+        for (i, pair) in of.pairs.iter().enumerate() {
+            for part in [pair.a, pair.b] {
+                if let Some(list) = pairs.get_mut(part) {
+                    list.push(i);
+                }
+            }
+        }
+        Self {
+            of,
+            pairs,
+            known: BTreeMap::new(),
+        }
+    }
+
+    /// The parts between a screw's head, or its end, and its thread; none where the stack gapes anywhere.
+    pub(crate) fn grip(&mut self, engaged: &[Engaged], e: &Engaged) -> BTreeSet<usize> {
+        // A stud's nut pulls against what the stud is screwed into.
+        let others = engaged
+            .iter()
+            .filter(|o| o.screw == e.screw && o.nut != e.nut);
+        let heads: BTreeSet<usize> = [e.screw].into_iter().chain(others.map(|o| o.nut)).collect();
+        let nut = BTreeSet::from([e.nut]);
+        let forth = self.reach(&heads, &e.way, &nut);
+        if !forth.contains(&e.nut) {
+            return BTreeSet::new();
+        }
+        let back = self.reach(&nut, &-e.way, &heads);
+        forth.intersection(&back).copied().collect()
+    }
+
+    /// The parts that some press on, and those that these press on.
+    fn reach(
+        &mut self,
+        from: &BTreeSet<usize>,
+        way: &Vector3<f64>,
+        stop: &BTreeSet<usize>,
+    ) -> BTreeSet<usize> {
+        let mut found = BTreeSet::new();
+        let mut open: Vec<usize> = from.iter().copied().collect();
+        while let Some(part) = open.pop() {
+            for next in self.onward(part, way) {
+                if !from.contains(&next) && found.insert(next) && !stop.contains(&next) {
+                    open.push(next);
+                }
+            }
+        }
+        found
+    }
+
+    fn onward(&mut self, part: usize, way: &Vector3<f64>) -> Vec<usize> {
+        let key = (
+            part,
+            <[f64; 3]>::from(*way).map(|x| libm::round(x / SAME_WAY) as i64),
+        );
+        if let Some(known) = self.known.get(&key) {
+            return known.clone();
+        }
+        let own = self.pairs.get(part).into_iter().flatten();
+        let pairs = own.filter_map(|i| self.of.pairs.get(*i));
         let next = pairs.filter_map(|p| {
             let (other, sign) = if p.a == part { (p.b, 1.0) } else { (p.a, -1.0) };
             let presses = |m: &Meeting| {
@@ -31,25 +96,8 @@ pub(crate) fn grip(of: &Placed<'_>, engaged: &[Engaged], e: &Engaged) -> BTreeSe
             };
             p.meetings.iter().any(presses).then_some(other)
         });
-        next.collect()
-    };
-    let reach = |from: &BTreeSet<usize>, way: &Vector3<f64>, stop: &BTreeSet<usize>| {
-        let mut found = BTreeSet::new();
-        let mut open: Vec<usize> = from.iter().copied().collect();
-        while let Some(part) = open.pop() {
-            for next in onward(part, way) {
-                if !from.contains(&next) && found.insert(next) && !stop.contains(&next) {
-                    open.push(next);
-                }
-            }
-        }
-        found
-    };
-    let nut = BTreeSet::from([e.nut]);
-    let forth = reach(&heads, &e.way, &nut);
-    let back = reach(&nut, &-e.way, &heads);
-    if !forth.contains(&e.nut) {
-        return BTreeSet::new();
+        let next: Vec<usize> = next.collect();
+        self.known.insert(key, next.clone());
+        next
     }
-    forth.intersection(&back).copied().collect()
 }

@@ -3,7 +3,9 @@
 use assemcad_geometry::narrow::meet::{Kind, Meeting, TOUCH_MM};
 use nalgebra::Vector3;
 
-use crate::clamp;
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::clamp::Presses;
 use crate::hold::{Placed, Thread};
 use crate::union::Union;
 
@@ -39,7 +41,11 @@ pub(crate) struct Engaged {
 
 /// The threads that are screwed into each other, by the cylinders that overlap there.
 pub(crate) fn engaged(of: &Placed<'_>) -> Vec<Engaged> {
-    let mut out = Vec::new();
+    let mut out: Vec<Engaged> = Vec::new();
+    let mut threads: BTreeMap<usize, Vec<&Thread>> = BTreeMap::new();
+    for thread in of.threads {
+        threads.entry(thread.part).or_default().push(thread);
+    }
     for pair in of.pairs {
         for meeting in &pair.meetings {
             let (Kind::Cylinder, Some(about)) = (meeting.kind, &meeting.about) else {
@@ -56,9 +62,8 @@ pub(crate) fn engaged(of: &Placed<'_>) -> Vec<Engaged> {
                     && t.direction.cross(&axis).norm() <= ON_AXIS.1
             };
             let find = |part: usize, external: bool, radius: f64| {
-                of.threads
-                    .iter()
-                    .filter(|t| t.part == part && t.external == external)
+                let own = threads.get(&part).into_iter().flatten().copied();
+                own.filter(|t| t.external == external)
                     .filter(on_axis)
                     .find(|t| (t.modelled_mm / 2.0 - radius).abs() <= ON_AXIS.0)
             };
@@ -70,8 +75,12 @@ pub(crate) fn engaged(of: &Placed<'_>) -> Vec<Engaged> {
             };
             let same = (inside.diameter_mm - outside.diameter_mm).abs() <= 1e-9
                 && (inside.lead_mm - outside.lead_mm).abs() <= 1e-9;
-            let known = |e: &Engaged| (e.screw, e.nut) == (screw, nut);
-            if same && meeting.gap_mm <= TOUCH_MM && !out.iter().any(known) {
+            let known = out
+                .iter()
+                .rev()
+                .take(1)
+                .any(|e: &Engaged| (e.screw, e.nut) == (screw, nut));
+            if same && meeting.gap_mm <= TOUCH_MM && !known {
                 out.push(Engaged {
                     screw,
                     nut,
@@ -86,10 +95,10 @@ pub(crate) fn engaged(of: &Placed<'_>) -> Vec<Engaged> {
     out
 }
 
-/// Whether a meeting is that of two threads.
-pub(crate) fn threaded(a: usize, b: usize, engaged: &[Engaged]) -> bool {
-    let pair = |e: &Engaged| (e.screw, e.nut) == (a, b) || (e.screw, e.nut) == (b, a);
-    engaged.iter().any(pair)
+/// The pairs whose threads are in each other, the lesser part first.
+pub(crate) fn threaded(engaged: &[Engaged]) -> BTreeSet<(usize, usize)> {
+    let pair = |e: &Engaged| (e.screw.min(e.nut), e.screw.max(e.nut));
+    engaged.iter().map(pair).collect()
 }
 
 /// A pressed fit holds from this much interference on the radius on, in mm.
@@ -107,17 +116,24 @@ fn pressed(meeting: &Meeting, stated: bool) -> bool {
 }
 
 /// Joins what moves as one.
-pub(crate) fn join(of: &Placed<'_>, engaged: &[Engaged]) -> (Union, Vec<(usize, usize, Reason)>) {
+pub(crate) fn join(
+    of: &Placed<'_>,
+    engaged: &[Engaged],
+    grips: &[BTreeSet<usize>],
+) -> (Union, Vec<(usize, usize, Reason)>) {
     let mut union = Union::new(of.parts);
     let mut why = Vec::new();
     let mut take = |a: usize, b: usize, reason: Reason| {
         union.join(a, b);
         why.push((a, b, reason));
     };
+    let threaded = threaded(engaged);
     for pair in of.pairs {
         let (a, b) = (pair.a, pair.b);
         let stated = of.pressed.contains(&(a, b)) || of.pressed.contains(&(b, a));
-        if !threaded(a, b, engaged) && pair.meetings.iter().any(|m| pressed(m, stated)) {
+        if !threaded.contains(&(a.min(b), a.max(b)))
+            && pair.meetings.iter().any(|m| pressed(m, stated))
+        {
             take(a, b, Reason::Pressed);
         }
         let bonded = of.bonded.contains(&(a, b)) || of.bonded.contains(&(b, a));
@@ -126,11 +142,17 @@ pub(crate) fn join(of: &Placed<'_>, engaged: &[Engaged]) -> (Union, Vec<(usize, 
             take(a, b, Reason::Bonded);
         }
     }
-    for e in engaged.iter().filter(|e| e.stays) {
+    for (e, grip) in engaged.iter().zip(grips).filter(|(e, _)| e.stays) {
         take(e.screw, e.nut, Reason::Screwed);
-        for part in clamp::grip(of, engaged, e) {
-            take(e.screw, part, Reason::Clamped);
+        for part in grip {
+            take(e.screw, *part, Reason::Clamped);
         }
     }
     (union, why)
+}
+
+/// What lies in the grip of each screw.
+pub(crate) fn grips(of: &Placed<'_>, engaged: &[Engaged]) -> Vec<BTreeSet<usize>> {
+    let mut presses = Presses::new(of);
+    engaged.iter().map(|e| presses.grip(engaged, e)).collect()
 }

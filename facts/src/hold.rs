@@ -6,9 +6,8 @@ use assemcad_geometry::narrow::meet::{Kind, Meeting, Spot};
 use nalgebra::{DMatrix, DVector, Vector3, Vector6};
 use petgraph::unionfind::UnionFind;
 
-use crate::clamp::grip;
 use crate::cone::{Cone, Row, cone};
-use crate::groups::{Engaged, Reason, engaged, join, threaded};
+use crate::groups::{Engaged, Reason, engaged, grips, join, threaded};
 use crate::rows::Rows;
 use crate::stops::stops;
 
@@ -197,7 +196,8 @@ const STILL: f64 = 1e-6;
 #[must_use]
 pub fn held(of: &Placed<'_>) -> Held {
     let engaged = engaged(of);
-    let (mut union, why) = join(of, &engaged);
+    let grips = grips(of, &engaged);
+    let (mut union, why) = join(of, &engaged, &grips);
     for pair in of.ground.windows(2) {
         if let [a, b] = pair {
             union.join(*a, *b);
@@ -225,27 +225,30 @@ pub fn held(of: &Placed<'_>) -> Held {
     Held {
         free: free.collect(),
         approximate,
-        idle_screws: idle_screws(of, &engaged, &body_of),
+        idle_screws: idle_screws(of, &engaged, &grips, &body_of),
         tight: tight(of, &engaged),
         bodies,
         why,
     }
 }
 
-fn idle_screws(of: &Placed<'_>, engaged: &[Engaged], body_of: &[usize]) -> Vec<IdleScrew> {
+fn idle_screws(
+    of: &Placed<'_>,
+    engaged: &[Engaged],
+    grips: &[BTreeSet<usize>],
+    body_of: &[usize],
+) -> Vec<IdleScrew> {
     let mut out = Vec::new();
-    for e in engaged.iter().filter(|e| e.stays) {
-        let grip = grip(of, engaged, e);
+    let mut of_part: BTreeMap<usize, Vec<&PairMeetings>> = BTreeMap::new();
+    for pair in of.pairs {
+        of_part.entry(pair.a).or_default().push(pair);
+        of_part.entry(pair.b).or_default().push(pair);
+    }
+    for (e, grip) in engaged.iter().zip(grips).filter(|(e, _)| e.stays) {
         let body = |part: usize| body_of.get(part);
         let mut through: Vec<usize> = Vec::new();
-        for pair in of.pairs {
-            let Some(other) = (match (pair.a == e.screw, pair.b == e.screw) {
-                (true, _) => Some(pair.b),
-                (_, true) => Some(pair.a),
-                _ => None,
-            }) else {
-                continue;
-            };
+        for pair in of_part.get(&e.screw).into_iter().flatten() {
+            let other = if pair.a == e.screw { pair.b } else { pair.a };
             let around = |m: &Meeting| {
                 m.about.as_ref().is_some_and(|about| {
                     let along = V::from(about.direction).cross(&e.way).norm();
@@ -275,8 +278,9 @@ fn idle_screws(of: &Placed<'_>, engaged: &[Engaged], body_of: &[usize]) -> Vec<I
 
 fn tight(of: &Placed<'_>, engaged: &[Engaged]) -> Vec<Tight> {
     let mut out = Vec::new();
+    let threaded = threaded(engaged);
     for pair in of.pairs {
-        if threaded(pair.a, pair.b, engaged) {
+        if threaded.contains(&(pair.a.min(pair.b), pair.a.max(pair.b))) {
             continue;
         }
         for m in &pair.meetings {
@@ -362,10 +366,8 @@ fn contacts(of: &Placed<'_>, engaged: &[Engaged], body_of: &[usize]) -> Vec<Cont
         add(c.a, c.b, false, Hold::Both { at, direction });
     }
     for e in engaged {
-        if threaded(e.screw, e.nut, engaged) {
-            let (point, axis, lead) = (e.point, e.way, e.lead);
-            add(e.nut, e.screw, false, Hold::Screw { point, axis, lead });
-        }
+        let (point, axis, lead) = (e.point, e.way, e.lead);
+        add(e.nut, e.screw, false, Hold::Screw { point, axis, lead });
     }
     out
 }

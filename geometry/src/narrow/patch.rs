@@ -103,11 +103,10 @@ impl<'a> Patch<'a> {
         self.at
     }
 
-    /// The corners of the face's triangles.
-    pub(super) fn triangles(&self) -> impl Iterator<Item = [V; 3]> {
-        let [from, to] = self.face.triangles;
-        let each = (from..to).filter_map(|t| self.boundary.triangle(t));
-        each.map(|(.., own)| own.map(|p| V::from(self.at.point(p.into()))))
+    /// The corners of one of its solid's triangles.
+    pub(super) fn triangle(&self, index: u32) -> Option<[V; 3]> {
+        let (.., own) = self.boundary.triangle(index)?;
+        Some(own.map(|p| V::from(self.at.point(p.into()))))
     }
 
     pub(super) fn borders(&self) -> impl Iterator<Item = Edge> {

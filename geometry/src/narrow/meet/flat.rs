@@ -2,7 +2,7 @@
 
 use super::clip::{P, Tri, area};
 use super::{Kind, Meeting, REACH_MM, across, spot};
-use crate::narrow::patch::{Patch, Surface, V};
+use crate::narrow::patch::{Patch, Surface};
 
 /// Planes whose normals differ by no more than this sine from being opposed face each other.
 const OPPOSED: f64 = 1e-4;
@@ -21,7 +21,7 @@ const LEAST_MM: f64 = 0.05;
 const OUTERMOST: u32 = 16;
 
 /// Two planes that face each other.
-pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>) -> Option<Meeting> {
+pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>, near: &[(u32, u32)]) -> Option<Meeting> {
     let (
         Surface::Plane { origin, normal },
         Surface::Plane {
@@ -36,23 +36,21 @@ pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>) -> Option<Meeting> {
         return None;
     }
     let axes = across(&normal);
-    let flat = |p: &V| {
-        let arm = p - origin;
-        P::new(arm.dot(&axes.0), arm.dot(&axes.1))
-    };
-    let sheet = |patch: &Patch<'_>| -> Vec<Tri> {
-        let triangles = patch.triangles();
-        triangles.map(|t| Tri::new(t.map(|p| flat(&p)))).collect()
+    let flat = |patch: &Patch<'_>, triangle: u32| {
+        let corners = patch.triangle(triangle)?;
+        Some(Tri::new(corners.map(|p| {
+            let arm = p - origin;
+            P::new(arm.dot(&axes.0), arm.dot(&axes.1))
+        })))
     };
     let gap = (other - origin).dot(&normal);
     if !(-DEEPEST_MM..=REACH_MM).contains(&gap) {
         return None;
     }
     let (mut total, mut corners) = (0.0, Vec::new());
-    let others = sheet(b);
-    for one in sheet(a) {
-        for two in &others {
-            let common = one.common(two);
+    for (one, two) in near {
+        if let (Some(one), Some(two)) = (flat(a, *one), flat(b, *two)) {
+            let common = one.common(&two);
             total += area(&common);
             corners.extend(common);
         }

@@ -135,8 +135,8 @@ pub fn meetings(a: &Boundary, b: &Boundary, at: &Placement) -> Vec<Meeting> {
         };
         let (on_a, on_b) = (Patch::face(a, &whole, face_a), Patch::face(b, at, face_b));
         let found = match (&on_a.surface, &on_b.surface) {
-            (Surface::Plane { .. }, Surface::Plane { .. }) => flat::meet(&on_a, &on_b),
-            (Surface::Round { .. }, Surface::Round { .. }) => round::meet(&on_a, &on_b)
+            (Surface::Plane { .. }, Surface::Plane { .. }) => flat::meet(&on_a, &on_b, &near),
+            (Surface::Round { .. }, Surface::Round { .. }) => round::meet(&on_a, &on_b, &near)
                 .or_else(|| tangent::beside(&on_a, &on_b))
                 .or_else(|| free::meet((a, &on_a), (b, &on_b, at), &near)),
             (Surface::Round { .. }, Surface::Plane { .. }) => tangent::on_plane(&on_a, &on_b),

@@ -52,7 +52,7 @@ fn cone(patch: &Patch<'_>) -> Option<Cone> {
 }
 
 /// One of the two in the other.
-pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>) -> Option<Meeting> {
+pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>, near: &[(u32, u32)]) -> Option<Meeting> {
     let first_has_hole = match (a.hollow(), b.hollow()) {
         (true, false) => true,
         (false, true) => false,
@@ -80,34 +80,37 @@ pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>) -> Option<Meeting> {
         return None;
     }
     let (x, y) = across(&hole.axis);
-    let unroll = |patch: &Patch<'_>, about: V| -> Vec<Tri> {
-        let triangles = patch.triangles();
+    let unrolled = |patch: &Patch<'_>, triangle: u32, about: &V| {
         let polar = |p: &V| {
             let arm = p - about;
-            (
-                libm::atan2(arm.dot(&y), arm.dot(&x)),
-                (p - hole.origin).dot(&hole.axis),
-            )
+            let angle = libm::atan2(arm.dot(&y), arm.dot(&x));
+            (angle, (p - hole.origin).dot(&hole.axis))
         };
-        let each = triangles.map(|t| {
-            let [(first, _), ..] = t.map(|p| polar(&p));
-            Tri::new(t.map(|p| {
-                let (angle, z) = polar(&p);
-                P::new(first + turn(angle - first), z)
-            }))
-        });
-        each.collect()
+        let corners = patch.triangle(triangle)?;
+        let [(first, _), ..] = corners.map(|p| polar(&p));
+        Some(Tri::new(corners.map(|p| {
+            let (angle, z) = polar(&p);
+            P::new(first + turn(angle - first), z)
+        })))
     };
-    let (of_hole, of_pin) = (unroll(outer, hole.origin), unroll(inner, hole.origin + off));
+    let about_pin = hole.origin + off;
     let mut found = Found::default();
-    for one in &of_hole {
-        for two in &of_pin {
-            let whole = TAU * libm::round((one.middle().x - two.middle().x) / TAU);
-            // A triangle may come round on either side.
-            for turns in [whole, whole + TAU, whole - TAU] {
-                let common = one.common(&two.moved(&P::new(turns, 0.0)));
-                found.take(&common);
-            }
+    for (one, two) in near {
+        let (of_hole, of_pin) = if first_has_hole {
+            (one, two)
+        } else {
+            (two, one)
+        };
+        let (Some(one), Some(two)) = (
+            unrolled(outer, *of_hole, &hole.origin),
+            unrolled(inner, *of_pin, &about_pin),
+        ) else {
+            continue;
+        };
+        let whole = TAU * libm::round((one.middle().x - two.middle().x) / TAU);
+        // A triangle may come round on either side.
+        for turns in [whole, whole + TAU, whole - TAU] {
+            found.take(&one.common(&two.moved(&P::new(turns, 0.0))));
         }
     }
     let middle = (found.range[0] + found.range[1]) / 2.0;

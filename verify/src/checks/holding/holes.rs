@@ -1,7 +1,7 @@
 //! Holes of parts that lie on each other: those that meet at the common face are in line, whether a mate or a screw
 //! goes through them or not.
 
-use std::sync::Arc;
+use std::collections::BTreeMap;
 
 use assemcad_facts::{Held, PairMeetings};
 use assemcad_geometry::Asker;
@@ -36,6 +36,7 @@ pub(super) async fn told(
     pairs: &[PairMeetings],
 ) -> Vec<Finding> {
     let body_of = super::loose::body_of(held);
+    let mut bored = Bored::default();
     let mut out = Vec::new();
     for pair in pairs {
         // Parts that move against each other have holes that pass each other.
@@ -58,8 +59,8 @@ pub(super) async fn told(
                 continue;
             }
             seen.push((at, normal));
-            let one = holes(door, assembled, pair.a, (&at, &normal)).await;
-            let two = holes(door, assembled, pair.b, (&at, &normal)).await;
+            let one = bored.at(door, assembled, pair.a, (&at, &normal)).await;
+            let two = bored.at(door, assembled, pair.b, (&at, &normal)).await;
             for a in &one {
                 for b in &two {
                     let off = (a.centre - b.centre).norm();
@@ -94,50 +95,79 @@ fn grouped(all: Vec<Finding>) -> Vec<Finding> {
     out
 }
 
-async fn holes(
-    door: Asker<'_>,
-    assembled: &Assembled<'_>,
-    part: usize,
-    (at, normal): (&V, &V),
-) -> Vec<Hole> {
-    let Some(placed) = assembled.solid(part) else {
-        return Vec::new();
-    };
-    let Ok(skin) = door.skin(&placed.solid).await else {
-        return Vec::new();
-    };
-    let skin: Arc<Boundary> = skin;
-    let mut out = Vec::new();
-    for face in &skin.skin().faces {
-        let SkinSurface::Cylinder {
-            origin,
-            axis,
-            radius,
-            range,
-        } = face.surface
-        else {
-            continue;
+/// Round holes of solids, in their own frames, once for each solid.
+#[derive(Default)]
+struct Bored(BTreeMap<String, Vec<Bore>>);
+
+/// A round hole in its solid's frame: its ends on the axis, the direction, the radius.
+struct Bore {
+    ends: [[f64; 3]; 2],
+    axis: [f64; 3],
+    radius: f64,
+}
+
+impl Bored {
+    /// The holes of a placed part that end at a face, which a point and a normal give.
+    async fn at(
+        &mut self,
+        door: Asker<'_>,
+        assembled: &Assembled<'_>,
+        part: usize,
+        (at, normal): (&V, &V),
+    ) -> Vec<Hole> {
+        let Some(placed) = assembled.solid(part) else {
+            return Vec::new();
         };
-        let whole = face.edges.iter().any(|e| {
-            let edge = skin.skin().edges.get(*e as usize);
-            edge.is_some_and(|e| {
-                matches!(e.curve, SkinCurve::Circle { sweep, .. } if sweep >= core::f64::consts::TAU - 1e-6)
+        let key = placed.solid.hash().to_owned();
+        if !self.0.contains_key(&key) {
+            let skin = door.skin(&placed.solid).await;
+            let found = skin.map(|s| bores(&s)).unwrap_or_default();
+            self.0.insert(key.clone(), found);
+        }
+        let bores = self.0.get(&key).into_iter().flatten();
+        let there = bores.filter_map(|b| {
+            let along = V::from(placed.at.direction(b.axis));
+            if along.cross(normal).norm() > 1e-6 {
+                return None;
+            }
+            let ends = b.ends.map(|e| V::from(placed.at.point(e)));
+            let mut ends = ends.into_iter();
+            let centre = ends.find(|e| (e - at).dot(normal).abs() <= AT_FACE_MM)?;
+            Some(Hole {
+                centre,
+                radius: b.radius,
             })
         });
-        let along = V::from(placed.at.direction(axis));
-        if face.outward || !whole || along.cross(normal).norm() > 1e-6 {
-            continue;
-        }
-        let origin = V::from(placed.at.point(origin));
-        let ends = range.map(|z| origin + along * z);
-        if let Some(centre) = ends
-            .into_iter()
-            .find(|e| (e - at).dot(normal).abs() <= AT_FACE_MM)
-        {
-            out.push(Hole { centre, radius });
-        }
+        there.collect()
     }
-    out
+}
+
+/// The holes that go all the way round.
+fn bores(of: &Boundary) -> Vec<Bore> {
+    let skin = of.skin();
+    let whole = |e: &u32| {
+        let curve = skin.edges.get(*e as usize).map(|e| e.curve);
+        matches!(curve, Some(SkinCurve::Circle { sweep, .. }) if sweep >= core::f64::consts::TAU - 1e-6)
+    };
+    let faces = skin
+        .faces
+        .iter()
+        .filter(|f| !f.outward && f.edges.iter().any(whole));
+    faces
+        .filter_map(|face| match face.surface {
+            SkinSurface::Cylinder {
+                origin,
+                axis,
+                radius,
+                range,
+            } => Some(Bore {
+                ends: range.map(|z| (V::from(origin) + V::from(axis) * z).into()),
+                axis,
+                radius,
+            }),
+            _ => None,
+        })
+        .collect()
 }
 
 fn finding(
