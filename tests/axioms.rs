@@ -498,7 +498,7 @@ fn walls_that_are_too_thin_for_their_bores() {
     };
     // A tenth of 47 mm are 4.7; the axis 52 mm up leaves 80 - 52 - 23.5 = 4.5 above the bore, 50 mm up 6.5.
     let report = block("thin", 52.0);
-    assert_eq!(with_status(&report, "fail"), ["N-02"]);
+    assert_eq!(status(&report, "N-02"), "warning");
     let f = own_finding(&report, "N-02");
     assert!(crate::kit::near(&f["values"]["wall_mm"], 4.5, 0.02), "{f}");
     assert_eq!(f["values"]["least_mm"], 4.7);

@@ -51,6 +51,9 @@ pub struct PartFacts {
     /// The parameters, with defaults filled in.
     #[serde(default)]
     pub params: Map<String, Value>,
+    /// Whether it is stated to spring on its way in.
+    #[serde(default)]
+    pub elastic: bool,
     /// The ports, in the part's frame.
     #[serde(default)]
     pub ports: Vec<Port>,

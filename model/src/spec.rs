@@ -80,9 +80,16 @@ pub struct Part {
     /// The parameters that were given; the factory's defaults fill in the rest.
     #[serde(default)]
     pub params: Map<String, Value>,
+    /// Whether it springs, as a retaining ring, a clip or a seal does: on its way in it may open or close.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub elastic: bool,
     /// Notes in free text.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub notes: String,
+}
+
+fn is_false(flag: &bool) -> bool {
+    !flag
 }
 
 /// A mate between two ports.

@@ -185,6 +185,7 @@ impl Draft {
                         id: id.clone(),
                         factory: n.factory,
                         params: n.params,
+                        elastic: n.elastic,
                         notes: n.notes,
                     });
                     no_part(Some(id.clone()), whole)

@@ -3,7 +3,7 @@
 
 use assemcad_model::mates::ALL;
 use assemcad_model::spec::tree::Tree;
-use assemcad_model::spec::{Assembly, End, Mate, Part, text};
+use assemcad_model::spec::{Accepted, Assembly, End, Mate, Part, PartMotion, WorldAxis, text};
 use assemcad_store::Draft;
 use proptest::prelude::*;
 use serde_json::{Map, Value, json};
@@ -67,11 +67,38 @@ fn any_map() -> impl Strategy<Value = Map<String, Value>> {
 }
 
 fn any_part() -> impl Strategy<Value = Part> {
-    (any_text(), any_text(), any_map(), any_text()).prop_map(|(id, factory, params, notes)| Part {
-        id,
-        factory,
-        params,
-        notes,
+    (any_text(), any_text(), any_map(), any::<bool>(), any_text()).prop_map(
+        |(id, factory, params, elastic, notes)| Part {
+            id,
+            factory,
+            params,
+            elastic,
+            notes,
+        },
+    )
+}
+
+fn any_motion() -> impl Strategy<Value = PartMotion> {
+    let axis = || {
+        let axes = [WorldAxis::X, WorldAxis::Y, WorldAxis::Z];
+        prop::option::of((0..3_usize).prop_map(move |i| axes[i]))
+    };
+    (any_text(), axis(), axis(), any_text()).prop_map(
+        |(part, slides_along, turns_about, reason)| PartMotion {
+            part,
+            slides_along,
+            turns_about,
+            reason,
+        },
+    )
+}
+
+fn any_accepted() -> impl Strategy<Value = Accepted> {
+    let parts = prop::collection::vec(any_text(), 0..3);
+    (any_text(), parts, any_text()).prop_map(|(axiom, parts, reason)| Accepted {
+        axiom,
+        parts,
+        reason,
     })
 }
 
@@ -102,17 +129,31 @@ fn any_assembly() -> impl Strategy<Value = Assembly> {
     (
         (any_text(), any_text(), any_text()),
         prop::option::of(any_text()),
-        prop::option::of(any::<u32>()),
+        (
+            prop::option::of(any::<u32>()),
+            prop::collection::vec(any_motion(), 0..3),
+            prop::collection::vec(any_motion(), 0..3),
+            prop::collection::vec(any_accepted(), 0..3),
+        ),
         prop::collection::vec(any_part(), 0..5),
         prop::collection::vec(any_mate(), 0..5),
     )
         .prop_map(
-            |((id, description, notes), root, intended_mobility, parts, mates)| Assembly {
+            |(
+                (id, description, notes),
+                root,
+                (intended_mobility, intended_motions, free, accept),
+                parts,
+                mates,
+            )| Assembly {
                 id,
                 description,
                 notes,
                 root,
                 intended_mobility,
+                intended_motions,
+                free,
+                accept,
                 parts,
                 mates,
             },

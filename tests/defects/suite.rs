@@ -110,6 +110,9 @@ fn change(assembly: &mut Value, edit: &Value) {
     if let Some(id) = edit.get("part") {
         let i = find(&mut assembly["parts"], id).unwrap();
         merge(&mut assembly["parts"][i]["params"], &edit["params"]);
+        if let Some(elastic) = edit.get("elastic") {
+            assembly["parts"][i]["elastic"] = elastic.clone();
+        }
     }
     if let Some(id) = edit.get("mate")
         && let Some(i) = find(&mut assembly["mates"], id)

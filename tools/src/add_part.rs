@@ -26,6 +26,9 @@ pub(crate) struct Arguments {
     /// The factory's parameters (mm); its defaults fill in what is left out.
     #[serde(default)]
     params: Map<String, Value>,
+    /// Whether it springs, as a retaining ring, a clip or a seal does: on its way in it may open or close.
+    #[serde(default)]
+    elastic: bool,
 }
 
 #[derive(Debug, Serialize, JsonSchema)]
@@ -72,6 +75,7 @@ impl Tool for AddPart {
             id: a.part,
             factory: a.factory,
             params: a.params,
+            elastic: a.elastic,
             notes: String::new(),
         };
         let added = workshop.add_part(&a.assembly, part).await?;

@@ -2,7 +2,8 @@
 
 use assemcad_factories::Registry;
 use assemcad_geometry::Asker;
-use assemcad_model::diagnostic::Diagnostic;
+use assemcad_kernel::protocol::Built;
+use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::report::{Check, FORMAT, Report, Verdict};
 use assemcad_model::spec::Assembly;
 use assemcad_placing::{Assembled, Placements, Resolved};
@@ -61,10 +62,19 @@ pub async fn verify(
     // A threshold above the server's own reports nothing greener.
     let tau_mm3 = terms.tau_mm3.min(DEFAULT_TAU_MM3);
     let mut results = Results::default();
+    let (built, mut parts) = parts::check(door, resolved, placements, &mut results).await;
+    for part in elastic_blocks(spec, resolved, &built) {
+        let d = Diagnostic::error(
+            Code::SpecificationInvalid,
+            format!("part '{part}'"),
+            "it is stated as elastic and fills most of its box: no ring, clip or seal does",
+        )
+        .hint("leave elastic out, or make the part as slender as what springs is");
+        results.find(Verdict::Fail, "stated", vec![part], d);
+    }
     for d in spec.stated_faults() {
         results.find(Verdict::Fail, "stated", Vec::new(), d);
     }
-    let (built, mut parts) = parts::check(door, resolved, placements, &mut results).await;
     match ports {
         Some(known) => {
             results.findings.extend(known.findings);
@@ -124,7 +134,10 @@ pub async fn verify(
         checks.push(Check {
             check: "stated".to_owned(),
             verdict: Verdict::Fail,
-            cases: spec.intended_motions.len() + spec.free.len() + spec.accept.len(),
+            cases: spec.parts.iter().filter(|p| p.elastic).count()
+                + spec.intended_motions.len()
+                + spec.free.len()
+                + spec.accept.len(),
             how: "what is stated beside parts and mates names parts and rules that there are"
                 .to_owned(),
         });
@@ -155,4 +168,21 @@ pub async fn verify(
         bill_of_materials,
         freedom,
     })
+}
+
+/// A part that springs fills no more than this share of its box. Ours.
+const SLENDER: f64 = 0.6;
+
+/// The parts that are stated as elastic and are blocks.
+fn elastic_blocks(spec: &Assembly, resolved: &Resolved, built: &[Option<Built>]) -> Vec<String> {
+    let stated = |id: &str| spec.part(id).is_some_and(|p| p.elastic);
+    let block = |b: &Built| {
+        let size = b.min.iter().zip(b.max).map(|(lo, hi)| hi - lo);
+        b.volume > SLENDER * size.product::<f64>()
+    };
+    let parts = resolved.parts.iter().zip(built);
+    parts
+        .filter(|(p, b)| stated(&p.id) && b.as_ref().is_some_and(block))
+        .map(|(p, _)| p.id.clone())
+        .collect()
 }

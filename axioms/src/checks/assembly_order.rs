@@ -2,7 +2,7 @@
 
 use super::Check;
 use crate::apart::{groups, locked};
-use crate::facts::Ways;
+use crate::facts::{Way, Ways};
 use crate::indexed::Indexed;
 use crate::ruling::{About, Ruling, Status};
 use assemcad_model::ports::PortType;
@@ -38,6 +38,21 @@ impl Check for AssemblyOrder {
                 About::assembly(),
                 message,
             )];
+        };
+        // What springs gives way: its way in is no matter of rigid parts.
+        let springs = |id: &String| facts.part(id).is_some_and(|p| p.elastic);
+        let rigid = |way: &Way| Way {
+            axis: way.axis,
+            stops: way
+                .stops
+                .iter()
+                .filter(|s| !springs(&s.part) && !springs(&s.by))
+                .cloned()
+                .collect(),
+        };
+        let ways = &Ways {
+            axes: ways.axes.iter().map(rigid).collect(),
+            ..ways.clone()
         };
         let left = groups(&placed, &ways.axes);
         let stuck: Vec<&Vec<String>> = left.iter().filter(|g| g.len() > 1).collect();
@@ -80,7 +95,9 @@ impl AssemblyOrder {
             let part = facts.part(id);
             part.is_some_and(|p| p.ports.iter().any(|x| x.port_type == PortType::SnapFit))
         };
-        let pair = locked(group, &ways.axes).filter(|(a, b)| !gives(a) && !gives(b));
+        let pair = locked(group, &ways.axes).filter(|(a, b)| {
+            !gives(a) && !gives(b) && (within(facts, a, b) || within(facts, b, a))
+        });
         let (status, about, message) = match pair {
             Some((a, b)) => (
                 Status::Fail,
@@ -102,6 +119,23 @@ impl AssemblyOrder {
             .value("directions", ways_n as f64)
             .assuming(sampled(ways))
     }
+}
+
+/// Whether the box of one part lies wholly within that of another: only what is enclosed is shown to have no way in
+/// by straight ways that are all closed.
+fn within(facts: &Indexed, inner: &str, outer: &str) -> bool {
+    let of = |id: &str| {
+        facts
+            .part(id)
+            .and_then(|p| p.geometry.as_ref())
+            .map(|g| g.box_mm)
+    };
+    let (Some([low, high]), Some([from, to])) = (of(inner), of(outer)) else {
+        return false;
+    };
+    let inside =
+        low.iter().zip(from).all(|(a, b)| *a > b) && high.iter().zip(to).all(|(a, b)| *a < b);
+    inside
 }
 
 fn sampled(ways: &Ways) -> String {

@@ -23,6 +23,7 @@ fn gear(id: &str, teeth: f64, helix: f64, internal: f64, shift: f64, at: f64) ->
         factory: "user.gear".to_owned(),
         class: None,
         params: serde_json::Map::new(),
+        elastic: false,
         ports: vec![Port {
             name: "teeth".to_owned(),
             port_type: PortType::GearMesh,

@@ -13,6 +13,9 @@ pub(super) type P = Vector2<f64>;
 /// How far beside a piece it is looked, in mm.
 const BESIDE_MM: f64 = 1e-6;
 
+/// How many steps along an arc are taken for its points.
+const ALONG_ARC: u32 = 16;
+
 /// Points nearer to each other than this are one, in mm.
 const SAME_MM: f64 = 1e-7;
 
@@ -37,10 +40,16 @@ pub(super) type Region = Vec<Curve>;
 
 /// The common area of two regions in mm2.
 pub(super) fn common_area(a: &Region, b: &Region) -> f64 {
+    common(a, b).0
+}
+
+/// The common area of two regions in mm2, and points of the border of what they have in common: the ends of its pieces
+/// and points along those that are round.
+pub(super) fn common(a: &Region, b: &Region) -> (f64, Vec<P>) {
     let (box_a, box_b) = (bounds(a), bounds(b));
     let window = (box_a.0.sup(&box_b.0), box_a.1.inf(&box_b.1));
     if window.0.x >= window.1.x || window.0.y >= window.1.y {
-        return 0.0;
+        return (0.0, Vec::new());
     }
     let seen = |c: &&Curve| {
         let (low, high) = bounds(core::slice::from_ref(*c));
@@ -53,6 +62,7 @@ pub(super) fn common_area(a: &Region, b: &Region) -> f64 {
     let origin = (window.0 + window.1) / 2.0;
     let mut kept: Vec<(P, f64)> = Vec::new();
     let mut area = 0.0;
+    let mut points = Vec::new();
     for curve in &near {
         for piece in pieces(curve, &near) {
             let (middle, left) = piece.middle();
@@ -73,6 +83,11 @@ pub(super) fn common_area(a: &Region, b: &Region) -> f64 {
                 continue;
             }
             kept.push((middle, length));
+            let steps = match piece {
+                Curve::Line { .. } => 1,
+                Curve::Arc { .. } => ALONG_ARC,
+            };
+            points.extend((0..=steps).map(|k| piece.at(f64::from(k) / f64::from(steps))));
             area += if on_left {
                 piece.swept(&origin)
             } else {
@@ -80,7 +95,7 @@ pub(super) fn common_area(a: &Region, b: &Region) -> f64 {
             };
         }
     }
-    area.max(0.0)
+    (area.max(0.0), points)
 }
 
 fn bounds(curves: &[Curve]) -> (P, P) {

@@ -100,10 +100,10 @@ fn lies(patch: &Patch<'_>, place: &Where) -> Option<(f64, bool)> {
 }
 
 /// Axes of a plane.
-struct Axes {
-    origin: V,
-    x: V,
-    y: V,
+pub(super) struct Axes {
+    pub(super) origin: V,
+    pub(super) x: V,
+    pub(super) y: V,
 }
 
 impl Axes {
@@ -121,14 +121,14 @@ impl Axes {
         })
     }
 
-    fn flat(&self, p: &V) -> P {
+    pub(super) fn flat(&self, p: &V) -> P {
         let arm = p - self.origin;
         P::new(arm.dot(&self.x), arm.dot(&self.y))
     }
 }
 
 /// The border of a plane face.
-fn flat(patch: &Patch<'_>, axes: &Axes) -> Option<Region> {
+pub(super) fn flat(patch: &Patch<'_>, axes: &Axes) -> Option<Region> {
     let curve = |edge: Edge| match edge {
         Edge::Line(from, to) => Some(Curve::Line {
             from: axes.flat(&from),

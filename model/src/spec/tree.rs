@@ -54,6 +54,9 @@ pub struct PartNode {
     /// The parameters that were given; the factory's defaults fill in the rest.
     #[serde(default)]
     pub params: Map<String, Value>,
+    /// Whether it springs, as a retaining ring, a clip or a seal does: on its way in it may open or close.
+    #[serde(default, skip_serializing_if = "super::is_false")]
+    pub elastic: bool,
     /// Notes in free text.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub notes: String,
@@ -65,6 +68,7 @@ impl From<Tree> for Assembly {
             id,
             factory: node.factory,
             params: node.params,
+            elastic: node.elastic,
             notes: node.notes,
         };
         Self {
@@ -88,6 +92,7 @@ impl From<Assembly> for Tree {
             let node = PartNode {
                 factory: p.factory,
                 params: p.params,
+                elastic: p.elastic,
                 notes: p.notes,
             };
             (p.id, node)

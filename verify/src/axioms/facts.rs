@@ -56,6 +56,7 @@ pub(super) fn facts(
             written.get(p.id.as_str()).copied(),
             defaults.get(p.factory.as_str()),
         ),
+        elastic: written.get(p.id.as_str()).is_some_and(|w| w.elastic),
         ports: p.ports().to_vec(),
         placement: placements.of(i),
         material: None,

@@ -3,6 +3,8 @@
 use super::clip::{P, Tri, area};
 use super::{Kind, Meeting, REACH_MM, across, spot};
 use crate::narrow::patch::{Patch, Surface};
+use crate::narrow::region::common;
+use crate::narrow::touch::{Axes, flat};
 
 /// Planes whose normals differ by no more than this sine from being opposed face each other.
 const OPPOSED: f64 = 1e-4;
@@ -36,25 +38,20 @@ pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>, near: &[(u32, u32)]) -> Option<
         return None;
     }
     let axes = across(&normal);
-    let flat = |patch: &Patch<'_>, triangle: u32| {
-        let corners = patch.triangle(triangle)?;
-        Some(Tri::new(corners.map(|p| {
-            let arm = p - origin;
-            P::new(arm.dot(&axes.0), arm.dot(&axes.1))
-        })))
-    };
     let gap = (other - origin).dot(&normal);
     if !(-DEEPEST_MM..=REACH_MM).contains(&gap) {
         return None;
     }
-    let (mut total, mut corners) = (0.0, Vec::new());
-    for (one, two) in near {
-        if let (Some(one), Some(two)) = (flat(a, *one), flat(b, *two)) {
-            let common = one.common(&two);
-            total += area(&common);
-            corners.extend(common);
-        }
-    }
+    let own = Axes {
+        origin,
+        x: axes.0,
+        y: axes.1,
+    };
+    // Lines and arcs have closed forms; else the triangles tell.
+    let (total, corners) = match (flat(a, &own), flat(b, &own)) {
+        (Some(one), Some(two)) => common(&one, &two),
+        _ => by_triangles(a, b, &own, near),
+    };
     if total < LEAST_MM2 {
         return None;
     }
@@ -74,6 +71,22 @@ pub(super) fn meet(a: &Patch<'_>, b: &Patch<'_>, near: &[(u32, u32)]) -> Option<
         about: None,
         spots: spots.collect(),
     })
+}
+
+fn by_triangles(a: &Patch<'_>, b: &Patch<'_>, axes: &Axes, near: &[(u32, u32)]) -> (f64, Vec<P>) {
+    let flat = |patch: &Patch<'_>, triangle: u32| {
+        let corners = patch.triangle(triangle)?;
+        Some(Tri::new(corners.map(|p| axes.flat(&p))))
+    };
+    let (mut total, mut corners) = (0.0, Vec::new());
+    for (one, two) in near {
+        if let (Some(one), Some(two)) = (flat(a, *one), flat(b, *two)) {
+            let common = one.common(&two);
+            total += area(&common);
+            corners.extend(common);
+        }
+    }
+    (total, corners)
 }
 
 /// The least and the largest width over some directions.
