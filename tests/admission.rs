@@ -342,7 +342,7 @@ async fn an_evaluation_of_an_older_source_is_not_kept() {
     let length = |made: &assemcad_script::Evaluated| made.recipe.hash().unwrap();
     // The older source takes its time.
     admit(disc(
-        "def slow():\n    n = 0\n    for j in range(45):\n        for i in range(20000):\n            n += i\n    return 6\n",
+        "def slow():\n    n = 0\n    for j in range(13):\n        for i in range(20000):\n            n += i\n    return 6\n",
         "slow()",
     ))
     .await;
@@ -354,7 +354,7 @@ async fn an_evaluation_of_an_older_source_is_not_kept() {
             made.await.unwrap()
         })
     };
-    tokio::time::sleep(std::time::Duration::from_millis(200)).await;
+    tokio::time::sleep(std::time::Duration::from_millis(40)).await;
     assert!(!older.is_finished());
     admit(disc("", "7")).await;
     let older = length(&older.await.unwrap());

@@ -11,11 +11,14 @@ use serde::de::{self, DeserializeSeed, IgnoredAny, MapAccess, SeqAccess, Visitor
 use serde_json::{Value, json};
 
 /// The longest id that is given back, in bytes: one that is longer is no id but a burden.
-const LONGEST_ID: usize = 256;
+const LONGEST_ID: usize = 4096;
 
 /// The protocol's codes for what is wrong with a line.
 const NO_JSON: i32 = -32700;
 const NO_REQUEST: i32 = -32600;
+
+/// The fields of messages.
+const FIELDS: [&str; 6] = ["jsonrpc", "id", "method", "params", "result", "error"];
 
 /// What keeps a line from the library.
 #[derive(Debug, PartialEq)]
@@ -121,6 +124,8 @@ struct Seen {
     id: Option<Value>,
     method: Option<Value>,
     answers: bool,
+    /// How often each of [`FIELDS`] came.
+    fields: [usize; FIELDS.len()],
 }
 
 impl Seen {
@@ -153,6 +158,11 @@ impl Seen {
         }
         if !matches!(&self.id, None | Some(Value::Null)) && !self.id.as_ref().is_some_and(is_id) {
             return wrong("the id is neither a whole number nor a text of reasonable length");
+        }
+        // The library takes a request with two ids for a notification, and never answers it.
+        let mut counted = self.fields.iter().zip(FIELDS);
+        if let Some((_, field)) = counted.find(|(count, _)| **count > 1) {
+            return wrong(&format!("it has more than one \"{field}\""));
         }
         match &self.method {
             Some(Value::String(_)) => Ok(()),
@@ -196,6 +206,9 @@ impl<'de> Visitor<'de> for Top<'_> {
         while let Some(key) = map.next_key::<String>()? {
             // Numbers come as maps of their own, whose one key the library of JSON has chosen.
             self.seen.object |= !key.starts_with('$');
+            for (count, field) in self.seen.fields.iter_mut().zip(FIELDS) {
+                *count += usize::from(field == key);
+            }
             match key.as_str() {
                 "jsonrpc" => self.seen.version = Some(map.next_value_seed(Small)?),
                 "id" => self.seen.id = Some(map.next_value_seed(Small)?),
@@ -322,6 +335,10 @@ mod tests {
                 json!(901),
             ),
             (r#"{"jsonrpc":"2.0","id":902,"method":7}"#, json!(902)),
+            (
+                r#"{"jsonrpc":"2.0","id":903,"id":903,"method":"m"}"#,
+                json!(903),
+            ),
             (
                 r#"{"jsonrpc":"2.0","id":{"a":1},"method":"m"}"#,
                 Value::Null,
