@@ -78,31 +78,31 @@ pub(crate) fn check(line: &[u8]) -> Result<(), Refusal> {
     })
 }
 
-/// What a visitor has to say of plain values: nothing.
+/// What a visitor has to say of plain values.
 macro_rules! plain {
-    () => {
-        fn visit_bool<E: de::Error>(self, _: bool) -> Result<(), E> {
-            Ok(())
+    ($flat:expr, $null:expr) => {
+        fn visit_bool<E: de::Error>(self, _: bool) -> Result<Self::Value, E> {
+            Ok($flat)
         }
 
-        fn visit_i64<E: de::Error>(self, _: i64) -> Result<(), E> {
-            Ok(())
+        fn visit_i64<E: de::Error>(self, _: i64) -> Result<Self::Value, E> {
+            Ok($flat)
         }
 
-        fn visit_u64<E: de::Error>(self, _: u64) -> Result<(), E> {
-            Ok(())
+        fn visit_u64<E: de::Error>(self, _: u64) -> Result<Self::Value, E> {
+            Ok($flat)
         }
 
-        fn visit_f64<E: de::Error>(self, _: f64) -> Result<(), E> {
-            Ok(())
+        fn visit_f64<E: de::Error>(self, _: f64) -> Result<Self::Value, E> {
+            Ok($flat)
         }
 
-        fn visit_str<E: de::Error>(self, _: &str) -> Result<(), E> {
-            Ok(())
+        fn visit_str<E: de::Error>(self, _: &str) -> Result<Self::Value, E> {
+            Ok($flat)
         }
 
-        fn visit_unit<E: de::Error>(self) -> Result<(), E> {
-            Ok(())
+        fn visit_unit<E: de::Error>(self) -> Result<Self::Value, E> {
+            Ok($null)
         }
     };
 }
@@ -124,6 +124,8 @@ struct Seen {
     id: Option<Value>,
     method: Option<Value>,
     answers: bool,
+    /// Whether its parameters are no object.
+    flat: bool,
     /// How often each of [`FIELDS`] came.
     fields: [usize; FIELDS.len()],
 }
@@ -163,6 +165,9 @@ impl Seen {
         let mut counted = self.fields.iter().zip(FIELDS);
         if let Some((_, field)) = counted.find(|(count, _)| **count > 1) {
             return wrong(&format!("it has more than one \"{field}\""));
+        }
+        if self.flat {
+            return wrong("its parameters are no object");
         }
         match &self.method {
             Some(Value::String(_)) => Ok(()),
@@ -216,7 +221,10 @@ impl<'de> Visitor<'de> for Top<'_> {
                 other => {
                     self.seen.answers |= other == "result" || other == "error";
                     match self.depth {
-                        Depth::Whole => map.next_value_seed(Any)?,
+                        Depth::Whole => {
+                            let kind = map.next_value_seed(Any)?;
+                            self.seen.flat |= other == "params" && kind == Kind::Flat;
+                        }
                         Depth::Shallow => {
                             map.next_value::<IgnoredAny>()?;
                         }
@@ -228,10 +236,19 @@ impl<'de> Visitor<'de> for Top<'_> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<(), A::Error> {
-        Any.visit_seq(seq)
+        Any.visit_seq(seq).map(drop)
     }
 
-    plain!();
+    plain!((), ());
+}
+
+/// What kind of value it is, as far as it matters.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Object,
+    Null,
+    /// A list, a text, a number or a truth value.
+    Flat,
 }
 
 /// A value that is one text or number; anything else counts as no id.
@@ -249,33 +266,33 @@ impl<'de> DeserializeSeed<'de> for Small {
 struct Any;
 
 impl<'de> DeserializeSeed<'de> for Any {
-    type Value = ();
+    type Value = Kind;
 
-    fn deserialize<D: Deserializer<'de>>(self, reader: D) -> Result<(), D::Error> {
+    fn deserialize<D: Deserializer<'de>>(self, reader: D) -> Result<Kind, D::Error> {
         reader.deserialize_any(self)
     }
 }
 
 impl<'de> Visitor<'de> for Any {
-    type Value = ();
+    type Value = Kind;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("any value")
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Kind, A::Error> {
         while map.next_key_seed(Self)?.is_some() {
             map.next_value_seed(Self)?;
         }
-        Ok(())
+        Ok(Kind::Object)
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<(), A::Error> {
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Kind, A::Error> {
         while seq.next_element_seed(Self)?.is_some() {}
-        Ok(())
+        Ok(Kind::Flat)
     }
 
-    plain!();
+    plain!(Kind::Flat, Kind::Null);
 }
 
 #[cfg(test)]
