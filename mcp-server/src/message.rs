@@ -6,6 +6,9 @@
 
 use std::fmt;
 
+use rmcp::RoleServer;
+use rmcp::model::JsonRpcMessage;
+use rmcp::service::RxJsonRpcMessage;
 use serde::Deserializer;
 use serde::de::{self, DeserializeSeed, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::{Value, json};
@@ -57,7 +60,8 @@ impl Refusal {
 pub(crate) fn check(line: &[u8]) -> Result<(), Refusal> {
     let mut seen = Seen::default();
     let Err(e) = seen.read(line, Depth::Whole) else {
-        return seen.is_message();
+        seen.is_message()?;
+        return seen.is_taken(line);
     };
     let why = if std::str::from_utf8(line).is_err() {
         "the line is not UTF-8".to_owned()
@@ -174,6 +178,25 @@ impl Seen {
             Some(_) => wrong("the method is no text"),
             None if self.answers => Ok(()),
             None => wrong("it has no method"),
+        }
+    }
+}
+
+impl Seen {
+    /// Whether the library reads it as what it is. What it cannot read it answers without an id, and a request that
+    /// it takes for a notification it never answers.
+    fn is_taken(&self, line: &[u8]) -> Result<(), Refusal> {
+        let request = self.method.is_some() && self.id.is_some();
+        match serde_json::from_slice::<RxJsonRpcMessage<RoleServer>>(line.trim_ascii()) {
+            Ok(JsonRpcMessage::Request(_)) if request => Ok(()),
+            Ok(_) if !request => Ok(()),
+            // Notifications of other protocols are passed over, as the library does.
+            Err(_) if self.method.is_some() && self.id.is_none() => Ok(()),
+            _ => Err(Refusal {
+                id: self.asker(),
+                code: NO_REQUEST,
+                why: "this is no request: the protocol has other parameters".to_owned(),
+            }),
         }
     }
 }
@@ -361,6 +384,22 @@ mod tests {
                 Value::Null,
             ),
             (r#"{"jsonrpc":"2.0","id":1.5,"method":"m"}"#, Value::Null),
+            (
+                r#"{"jsonrpc":"2.0","id":null,"method":"ping"}"#,
+                Value::Null,
+            ),
+            (
+                r#"{"jsonrpc":"2.0","id":906,"method":"tools/call","params":{"name":"x","_meta":7}}"#,
+                json!(906),
+            ),
+            (
+                r#"{"jsonrpc":"2.0","id":904,"method":"m","params":"x"}"#,
+                json!(904),
+            ),
+            (
+                r#"{"jsonrpc":"2.0","id":905,"method":"m","params":[1]}"#,
+                json!(905),
+            ),
         ] {
             assert_eq!(refused(line.as_bytes()), (id, -32600), "{line}");
         }
