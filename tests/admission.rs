@@ -364,6 +364,24 @@ async fn an_evaluation_of_an_older_source_is_not_kept() {
 }
 
 #[test]
+fn hints_are_tried_out_for_a_few_ports_only() {
+    let mut kit = Kit::new();
+    // Faces whose normals look into the material: turned round, the solid would show each.
+    let ports: String = (0..30)
+        .map(|i| format!("    body = body.face_port(\"f{i}\", 4, 4, at = cq.Plane(origin = ({}, 12, 0), xDir = (1, 0, 0), normal = (0, 0, 1)))\n", i as f64 * 0.4 - 6.0))
+        .collect();
+    let source = disc("", "6").replace(
+        "    return body.faces",
+        &format!("{ports}    return body.faces"),
+    );
+    let answer = synthesize(&mut kit, with(request("user.disc"), "source", source));
+    assert_eq!(answer["status"], "refused");
+    let told = answer.to_string();
+    let tried = told.matches("the solid shows this port where").count();
+    assert_eq!(tried, 6, "{told}");
+}
+
+#[test]
 fn an_edited_source_that_fails_is_looked_at_once() {
     let mut kit = Kit::new();
     let admitted = with(request("user.disc"), "source", disc("", "6"));
