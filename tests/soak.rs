@@ -183,7 +183,10 @@ impl Soak {
             ),
             13 => (
                 "realize",
-                json!({"draft": format!("assembly: {{id: r{name}, parts: [{{id: a, factory: bearing.ball}}]}}")}),
+                json!({"draft": format!(
+                    "assembly: {{id: r{name}, parts: [{{id: a, factory: base_frame.rect_plate, params: {{length: {}}}}}]}}",
+                    40 + numbers.below(20)
+                )}),
             ),
             14 => ("find_axioms", json!({"mate_type": "coaxial"})),
             _ => ("list_factories", json!({})),
@@ -259,7 +262,7 @@ fn uses(pid: u32) -> (u64, usize) {
         .and_then(|n| n.parse().ok())
         .unwrap_or(0);
     let descriptors = std::fs::read_dir(format!("/proc/{pid}/fd")).map_or(0, Iterator::count);
-    (pages * 4096 >> 20, descriptors)
+    ((pages * 4096) >> 20, descriptors)
 }
 
 /// What a server that lives through all of it shows.
@@ -293,6 +296,38 @@ fn witness(soak: &Soak, root: usize, done: &AtomicBool) -> Witness {
     }
     session.close().unwrap();
     seen
+}
+
+/// Whether specification, report and STEP file of every realisation are of one piece; how many there are.
+fn whole(session: &mut Session, root: &Path) -> usize {
+    let list = session.call("list_assemblies", json!({})).unwrap();
+    let names = list.content["assemblies"].as_array().unwrap();
+    let realized = names
+        .iter()
+        .filter_map(Value::as_str)
+        .filter(|n| n.starts_with('r'));
+    let mut count = 0;
+    for name in realized {
+        let folder = root.join("assemblies").join(name);
+        let state = session
+            .call("get_assembly", json!({"assembly": name}))
+            .unwrap();
+        let sha = state.content["state"]["specification_sha256"]
+            .as_str()
+            .unwrap()
+            .to_owned();
+        let report = std::fs::read_to_string(folder.join("report.json")).unwrap();
+        let report: Value = serde_json::from_str(&report).unwrap();
+        assert_eq!(
+            report["specification_sha256"], sha,
+            "{name}: the report is of another"
+        );
+        let step = std::fs::read_to_string(folder.join(format!("{name}.step"))).unwrap();
+        let flat: String = step.split_whitespace().collect();
+        assert!(flat.contains(&sha), "{name}: the STEP file is of another");
+        count += 1;
+    }
+    count
 }
 
 fn disk(folder: &Path) -> (u64, usize) {
@@ -378,9 +413,11 @@ fn main() {
     });
     let took = began.elapsed();
     // What killed servers left behind goes at the next start.
-    let mut kept = 0;
+    let (mut kept, mut realized) = (0, 0);
     for root in 0..ROOTS {
-        soak.start(root).close().unwrap();
+        let mut session = soak.start(root);
+        realized += whole(&mut session, &soak.roots[root]);
+        session.close().unwrap();
         let (bytes, begun) = disk(&soak.roots[root]);
         assert_eq!(begun, 0, "files that were begun are left");
         kept += bytes;
@@ -429,6 +466,9 @@ fn main() {
             quarter.0, quarter.1, end.0, end.1
         ));
     }
+    rows.push(format!(
+        "| realisations, replaced again and again; not of one piece | {realized}; 0 |"
+    ));
     rows.push(format!(
         "| on disk at the end; begun files left | {} MiB; 0 |",
         kept >> 20
