@@ -1,5 +1,5 @@
 # The two commands of the README: `make demo` and `make test`. Both set up what they need.
-.PHONY: setup demo test faults test-factories fuzz peers-cadquery speed lint clean
+.PHONY: setup demo test faults test-factories fuzz soak peers-cadquery speed lint clean
 CARGO ?= cargo
 
 demo: setup
@@ -14,11 +14,21 @@ test-factories: setup
 	$(CARGO) test --quiet -p assemcad-factories --test parts -- --ignored --skip timings
 	$(CARGO) test --quiet -p assemcad --test sessions the_slow_cases -- --ignored
 
-# Sources made worse at random, for so many seconds from so many different seeds: `make fuzz SECONDS=600 SEED=7`.
+# Sources, drafts and lines of the protocol made worse at random, for so many seconds from so many different seeds: `make fuzz SECONDS=600 SEED=7`.
 SECONDS ?= 120
 SEED ?= 1000000
 fuzz: setup
 	ASSEMCAD_FUZZ_SECONDS=$(SECONDS) ASSEMCAD_FUZZ_SEED=$(SEED) $(CARGO) test --quiet -p assemcad-script --test fuzz -- --nocapture
+	ASSEMCAD_FUZZ_SECONDS=$(SECONDS) ASSEMCAD_FUZZ_SEED=$(SEED) $(CARGO) test --quiet -p assemcad --test sessions mutation
+
+# Many clients, servers and kills, from a fixed seed: `make soak SOAK_SESSIONS=100 SOAK_SEED=7` for another. Its
+# figures are in docs/soak.md.
+SOAK_CLIENTS ?= 32
+SOAK_SESSIONS ?= 1000
+SOAK_SEED ?= 1
+soak: setup
+	$(CARGO) build --quiet --release -p assemcad --bin assemcad --example soak
+	ASSEMCAD_LOG=error SOAK_CLIENTS=$(SOAK_CLIENTS) SOAK_SESSIONS=$(SOAK_SESSIONS) SOAK_SEED=$(SOAK_SEED) ./target/release/examples/soak
 
 # The language held against CadQuery itself, in a Python environment of its own: the scripts keep to what
 # both have, CadQuery still gives what is recorded, and so does the language.

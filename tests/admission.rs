@@ -342,7 +342,7 @@ async fn an_evaluation_of_an_older_source_is_not_kept() {
     let length = |made: &assemcad_script::Evaluated| made.recipe.hash().unwrap();
     // The older source takes its time.
     admit(disc(
-        "def slow():\n    n = 0\n    for j in range(45):\n        for i in range(20000):\n            n += i\n    return 6\n",
+        "def slow():\n    n = 0\n    for j in range(13):\n        for i in range(20000):\n            n += i\n    return 6\n",
         "slow()",
     ))
     .await;
@@ -354,13 +354,31 @@ async fn an_evaluation_of_an_older_source_is_not_kept() {
             made.await.unwrap()
         })
     };
-    tokio::time::sleep(std::time::Duration::from_millis(200)).await;
+    tokio::time::sleep(std::time::Duration::from_millis(40)).await;
     assert!(!older.is_finished());
     admit(disc("", "7")).await;
     let older = length(&older.await.unwrap());
     let none = serde_json::Map::new();
     let now = registry.build(&evaluator, "user.disc@1", &none);
     assert_ne!(length(&now.await.unwrap()), older);
+}
+
+#[test]
+fn hints_are_tried_out_for_a_few_ports_only() {
+    let mut kit = Kit::new();
+    // Faces whose normals look into the material: turned round, the solid would show each.
+    let ports: String = (0..30)
+        .map(|i| format!("    body = body.face_port(\"f{i}\", 4, 4, at = cq.Plane(origin = ({}, 12, 0), xDir = (1, 0, 0), normal = (0, 0, 1)))\n", i as f64 * 0.4 - 6.0))
+        .collect();
+    let source = disc("", "6").replace(
+        "    return body.faces",
+        &format!("{ports}    return body.faces"),
+    );
+    let answer = synthesize(&mut kit, with(request("user.disc"), "source", source));
+    assert_eq!(answer["status"], "refused");
+    let told = answer.to_string();
+    let tried = told.matches("the solid shows this port where").count();
+    assert_eq!(tried, 6, "{told}");
 }
 
 #[test]

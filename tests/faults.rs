@@ -243,6 +243,24 @@ fn recipes_of_a_size_that_nobody_needs() {
 }
 
 #[test]
+fn workers_are_of_the_same_build_as_their_server() {
+    let there = tempfile::tempdir().unwrap();
+    let program = there.path().join("assemcad");
+    std::fs::copy(crate::kit::program(), &program).unwrap();
+    let root = there.path().join("root");
+    let mut session = crate::harness::Session::start(&program, &root, &[]).unwrap();
+    // Built anew meanwhile: something else stands in its place.
+    std::fs::remove_file(&program).unwrap();
+    std::fs::write(&program, "#!/bin/false").unwrap();
+    session
+        .call("new_assembly", json!({"assembly": "a"}))
+        .unwrap();
+    let part = json!({"assembly": "a", "part": "p", "factory": "base_frame.rect_plate"});
+    let added = session.call("add_part", part).unwrap();
+    assert!(!added.is_error, "{}", added.content);
+}
+
+#[test]
 fn an_operation_that_the_kernel_cannot_do() {
     let mut kit = kit(&[]);
     for radius in [5.0, 6.0] {

@@ -20,6 +20,7 @@ mod kit;
 mod mates;
 mod measure;
 mod motion;
+mod mutation;
 mod overlaps;
 mod persistence;
 mod pictures;

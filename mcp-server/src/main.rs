@@ -146,6 +146,18 @@ fn serve(options: Serve) -> Result<(), String> {
     served
 }
 
+/// This very program, for its workers: not what somebody has put in its place since it was started, which may speak
+/// another language.
+fn this_program() -> std::io::Result<PathBuf> {
+    // Linux has a name for it that holds even where the file is gone.
+    let itself = PathBuf::from("/proc/self/exe");
+    if itself.exists() {
+        Ok(itself)
+    } else {
+        std::env::current_exe()
+    }
+}
+
 /// The workshop that the options describe, with what was admitted to it before.
 async fn workshop(options: Serve) -> Result<Workshop, String> {
     let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
@@ -158,7 +170,7 @@ async fn workshop(options: Serve) -> Result<Workshop, String> {
              and network if a fault in them were abused"
         );
     }
-    let program = std::env::current_exe().map_err(|e| format!("where this program is: {e}"))?;
+    let program = this_program().map_err(|e| format!("where this program is: {e}"))?;
     let evaluator = Evaluator::processes(script_worker::Config {
         program: program.clone(),
         workers,

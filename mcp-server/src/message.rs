@@ -6,16 +6,22 @@
 
 use std::fmt;
 
+use rmcp::RoleServer;
+use rmcp::model::JsonRpcMessage;
+use rmcp::service::RxJsonRpcMessage;
 use serde::Deserializer;
 use serde::de::{self, DeserializeSeed, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::{Value, json};
 
 /// The longest id that is given back, in bytes: one that is longer is no id but a burden.
-const LONGEST_ID: usize = 256;
+const LONGEST_ID: usize = 4096;
 
 /// The protocol's codes for what is wrong with a line.
 const NO_JSON: i32 = -32700;
 const NO_REQUEST: i32 = -32600;
+
+/// The fields of messages.
+const FIELDS: [&str; 6] = ["jsonrpc", "id", "method", "params", "result", "error"];
 
 /// What keeps a line from the library.
 #[derive(Debug, PartialEq)]
@@ -54,7 +60,8 @@ impl Refusal {
 pub(crate) fn check(line: &[u8]) -> Result<(), Refusal> {
     let mut seen = Seen::default();
     let Err(e) = seen.read(line, Depth::Whole) else {
-        return seen.is_message();
+        seen.is_message()?;
+        return seen.is_taken(line);
     };
     let why = if std::str::from_utf8(line).is_err() {
         "the line is not UTF-8".to_owned()
@@ -75,31 +82,31 @@ pub(crate) fn check(line: &[u8]) -> Result<(), Refusal> {
     })
 }
 
-/// What a visitor has to say of plain values: nothing.
+/// What a visitor has to say of plain values.
 macro_rules! plain {
-    () => {
-        fn visit_bool<E: de::Error>(self, _: bool) -> Result<(), E> {
-            Ok(())
+    ($flat:expr, $null:expr) => {
+        fn visit_bool<E: de::Error>(self, _: bool) -> Result<Self::Value, E> {
+            Ok($flat)
         }
 
-        fn visit_i64<E: de::Error>(self, _: i64) -> Result<(), E> {
-            Ok(())
+        fn visit_i64<E: de::Error>(self, _: i64) -> Result<Self::Value, E> {
+            Ok($flat)
         }
 
-        fn visit_u64<E: de::Error>(self, _: u64) -> Result<(), E> {
-            Ok(())
+        fn visit_u64<E: de::Error>(self, _: u64) -> Result<Self::Value, E> {
+            Ok($flat)
         }
 
-        fn visit_f64<E: de::Error>(self, _: f64) -> Result<(), E> {
-            Ok(())
+        fn visit_f64<E: de::Error>(self, _: f64) -> Result<Self::Value, E> {
+            Ok($flat)
         }
 
-        fn visit_str<E: de::Error>(self, _: &str) -> Result<(), E> {
-            Ok(())
+        fn visit_str<E: de::Error>(self, _: &str) -> Result<Self::Value, E> {
+            Ok($flat)
         }
 
-        fn visit_unit<E: de::Error>(self) -> Result<(), E> {
-            Ok(())
+        fn visit_unit<E: de::Error>(self) -> Result<Self::Value, E> {
+            Ok($null)
         }
     };
 }
@@ -121,6 +128,10 @@ struct Seen {
     id: Option<Value>,
     method: Option<Value>,
     answers: bool,
+    /// Whether its parameters are no object.
+    flat: bool,
+    /// How often each of [`FIELDS`] came.
+    fields: [usize; FIELDS.len()],
 }
 
 impl Seen {
@@ -154,11 +165,38 @@ impl Seen {
         if !matches!(&self.id, None | Some(Value::Null)) && !self.id.as_ref().is_some_and(is_id) {
             return wrong("the id is neither a whole number nor a text of reasonable length");
         }
+        // The library takes a request with two ids for a notification, and never answers it.
+        let mut counted = self.fields.iter().zip(FIELDS);
+        if let Some((_, field)) = counted.find(|(count, _)| **count > 1) {
+            return wrong(&format!("it has more than one \"{field}\""));
+        }
+        if self.flat {
+            return wrong("its parameters are no object");
+        }
         match &self.method {
             Some(Value::String(_)) => Ok(()),
             Some(_) => wrong("the method is no text"),
             None if self.answers => Ok(()),
             None => wrong("it has no method"),
+        }
+    }
+}
+
+impl Seen {
+    /// Whether the library reads it as what it is. What it cannot read it answers without an id, and a request that
+    /// it takes for a notification it never answers.
+    fn is_taken(&self, line: &[u8]) -> Result<(), Refusal> {
+        let request = self.method.is_some() && self.id.is_some();
+        match serde_json::from_slice::<RxJsonRpcMessage<RoleServer>>(line.trim_ascii()) {
+            Ok(JsonRpcMessage::Request(_)) if request => Ok(()),
+            Ok(_) if !request => Ok(()),
+            // Notifications of other protocols are passed over, as the library does.
+            Err(_) if self.method.is_some() && self.id.is_none() => Ok(()),
+            _ => Err(Refusal {
+                id: self.asker(),
+                code: NO_REQUEST,
+                why: "this is no request: the protocol has other parameters".to_owned(),
+            }),
         }
     }
 }
@@ -196,6 +234,9 @@ impl<'de> Visitor<'de> for Top<'_> {
         while let Some(key) = map.next_key::<String>()? {
             // Numbers come as maps of their own, whose one key the library of JSON has chosen.
             self.seen.object |= !key.starts_with('$');
+            for (count, field) in self.seen.fields.iter_mut().zip(FIELDS) {
+                *count += usize::from(field == key);
+            }
             match key.as_str() {
                 "jsonrpc" => self.seen.version = Some(map.next_value_seed(Small)?),
                 "id" => self.seen.id = Some(map.next_value_seed(Small)?),
@@ -203,7 +244,10 @@ impl<'de> Visitor<'de> for Top<'_> {
                 other => {
                     self.seen.answers |= other == "result" || other == "error";
                     match self.depth {
-                        Depth::Whole => map.next_value_seed(Any)?,
+                        Depth::Whole => {
+                            let kind = map.next_value_seed(Any)?;
+                            self.seen.flat |= other == "params" && kind == Kind::Flat;
+                        }
                         Depth::Shallow => {
                             map.next_value::<IgnoredAny>()?;
                         }
@@ -215,10 +259,19 @@ impl<'de> Visitor<'de> for Top<'_> {
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<(), A::Error> {
-        Any.visit_seq(seq)
+        Any.visit_seq(seq).map(drop)
     }
 
-    plain!();
+    plain!((), ());
+}
+
+/// What kind of value it is, as far as it matters.
+#[derive(Clone, Copy, PartialEq)]
+enum Kind {
+    Object,
+    Null,
+    /// A list, a text, a number or a truth value.
+    Flat,
 }
 
 /// A value that is one text or number; anything else counts as no id.
@@ -236,33 +289,33 @@ impl<'de> DeserializeSeed<'de> for Small {
 struct Any;
 
 impl<'de> DeserializeSeed<'de> for Any {
-    type Value = ();
+    type Value = Kind;
 
-    fn deserialize<D: Deserializer<'de>>(self, reader: D) -> Result<(), D::Error> {
+    fn deserialize<D: Deserializer<'de>>(self, reader: D) -> Result<Kind, D::Error> {
         reader.deserialize_any(self)
     }
 }
 
 impl<'de> Visitor<'de> for Any {
-    type Value = ();
+    type Value = Kind;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("any value")
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Kind, A::Error> {
         while map.next_key_seed(Self)?.is_some() {
             map.next_value_seed(Self)?;
         }
-        Ok(())
+        Ok(Kind::Object)
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<(), A::Error> {
+    fn visit_seq<A: SeqAccess<'de>>(self, mut seq: A) -> Result<Kind, A::Error> {
         while seq.next_element_seed(Self)?.is_some() {}
-        Ok(())
+        Ok(Kind::Flat)
     }
 
-    plain!();
+    plain!(Kind::Flat, Kind::Null);
 }
 
 #[cfg(test)]
@@ -323,10 +376,30 @@ mod tests {
             ),
             (r#"{"jsonrpc":"2.0","id":902,"method":7}"#, json!(902)),
             (
+                r#"{"jsonrpc":"2.0","id":903,"id":903,"method":"m"}"#,
+                json!(903),
+            ),
+            (
                 r#"{"jsonrpc":"2.0","id":{"a":1},"method":"m"}"#,
                 Value::Null,
             ),
             (r#"{"jsonrpc":"2.0","id":1.5,"method":"m"}"#, Value::Null),
+            (
+                r#"{"jsonrpc":"2.0","id":null,"method":"ping"}"#,
+                Value::Null,
+            ),
+            (
+                r#"{"jsonrpc":"2.0","id":906,"method":"tools/call","params":{"name":"x","_meta":7}}"#,
+                json!(906),
+            ),
+            (
+                r#"{"jsonrpc":"2.0","id":904,"method":"m","params":"x"}"#,
+                json!(904),
+            ),
+            (
+                r#"{"jsonrpc":"2.0","id":905,"method":"m","params":[1]}"#,
+                json!(905),
+            ),
         ] {
             assert_eq!(refused(line.as_bytes()), (id, -32600), "{line}");
         }

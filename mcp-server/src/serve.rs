@@ -51,7 +51,8 @@ indeterminate; a report also says what was not checked.";
 /// # Errors
 /// When the protocol cannot be spoken.
 pub(crate) async fn stdio(workshop: Workshop) -> Result<(), String> {
-    let running = Running::new(workshop.door.asker().processes());
+    // A picture of 2000 pixels takes some hundred megabytes, and one long trial is not to hold up all else.
+    let running = Running::new(workshop.door.asker().processes().clamp(2, 8));
     let (input, output) = streams();
     let (stream, writing) = lines::around(input, output, running.clone(), lines::is_read);
     let service = Worded(Server::new(workshop, running))

@@ -182,6 +182,8 @@ impl<W: Work> Pool<W> {
         ours.set_nonblocking(true)?;
         let limits = self.config.limits;
         let mut command = Command::new(&self.config.program);
+        // The program may be named by a path that says nothing in a list of processes.
+        command.arg0("assemcad");
         command.arg(W::SUBCOMMAND);
         command.args(["--memory-mb", &limits.memory_mb.to_string()]);
         command.args(["--cpu-s", &limits.cpu_s.to_string()]);

@@ -95,6 +95,11 @@ pub(super) async fn of_port(
             return format!("the solid shows this port where {}", slip.words);
         }
     }
+    plain(recipe, port, built)
+}
+
+/// The same without asking the solid anything.
+pub(super) fn plain(recipe: &Recipe, port: &Port, built: &Built) -> String {
     let (min, max) = (built.min, built.max);
     let outside = port
         .frame

@@ -20,9 +20,18 @@ pub(super) fn title(id: &str, wanted: &Wanted, camera: &Camera) -> String {
     title
 }
 
+/// So many things that are missing are named.
+const MOST_MISSING: usize = 20;
+
 /// The notes of a picture with something missing.
 pub(super) fn notes(missing: &[String]) -> Vec<String> {
-    missing.iter().map(|m| format!("not shown: {m}")).collect()
+    let named = missing.iter().take(MOST_MISSING);
+    let mut notes: Vec<String> = named.map(|m| format!("not shown: {m}")).collect();
+    match missing.len().saturating_sub(MOST_MISSING) {
+        0 => {}
+        more => notes.push(format!("not shown: {more} more")),
+    }
+    notes
 }
 
 /// At most so many names, and how many more there are.
