@@ -21,7 +21,14 @@ fn nothing_wrong_passes_and_nothing_right_fails() {
             ),
             Some(_) if i % 4 == 0 => {
                 let told = case.put(&mut kit.session);
-                assert_eq!(told, Told::Found, "{}: {}", case.id, case.why);
+                assert_eq!(
+                    told,
+                    Told::Found,
+                    "{} ({}): {}",
+                    case.id,
+                    case.form,
+                    case.why
+                );
                 found += 1;
             }
             Some(_) => {}
