@@ -14,6 +14,8 @@ pub(crate) struct Row {
     pub(crate) row: Vector6<f64>,
     /// Whether it holds both ways.
     pub(crate) both_ways: bool,
+    /// How far it lets go before it holds, in mm.
+    pub(crate) gap_mm: f64,
 }
 
 /// How far bodies may go while a contact opens by 1: what is nearly parallel does not count as opening.
@@ -74,62 +76,99 @@ fn entries(row: &Row) -> impl Iterator<Item = (usize, f64)> {
     all.into_iter()
 }
 
-/// The most that can open at once: each contact counts 1 where it opens at all.
-fn open(unknowns: usize, rows: &[Row], one_way: &[&Row]) -> Option<(DVector<f64>, Vec<bool>)> {
-    let count = one_way.len();
-    let columns = unknowns + count;
-    // As `b - A x` in the non-negative cone.
-    let (mut is, mut js, mut values) = (Vec::new(), Vec::new(), Vec::new());
-    let mut b: Vec<f64> = Vec::new();
-    let mut line = |of: &[(usize, f64)], most: f64| {
+/// Rows `b - A x >= 0`, as they are gathered.
+#[derive(Default)]
+struct Programme {
+    is: Vec<usize>,
+    js: Vec<usize>,
+    values: Vec<f64>,
+    b: Vec<f64>,
+}
+
+impl Programme {
+    /// At most `most`.
+    fn line(&mut self, of: impl IntoIterator<Item = (usize, f64)>, most: f64) {
         for (j, x) in of {
-            if *x != 0.0 {
-                is.push(b.len());
-                js.push(*j);
-                values.push(*x);
+            if x != 0.0 {
+                self.is.push(self.b.len());
+                self.js.push(j);
+                self.values.push(x);
             }
         }
-        b.push(most);
-    };
-    let negative = |of: &[(usize, f64)]| of.iter().map(|(j, x)| (*j, -x)).collect::<Vec<_>>();
+        self.b.push(most);
+    }
+
+    /// What rows that hold both ways and the bounds of the motions say.
+    fn bounds(&mut self, unknowns: usize, rows: &[Row]) {
+        for row in rows.iter().filter(|r| r.both_ways) {
+            self.line(entries(row), 0.0);
+            self.line(entries(row).map(|(j, x)| (j, -x)), 0.0);
+        }
+        for j in 0..unknowns {
+            self.line([(j, 1.0)], FARTHEST);
+            self.line([(j, -1.0)], FARTHEST);
+        }
+    }
+
+    /// The least of a linear function.
+    fn solve(self, q: &[f64]) -> Option<Vec<f64>> {
+        let (height, columns) = (self.b.len(), q.len());
+        let a = CscMatrix::new_from_triplets(height, columns, self.is, self.js, self.values);
+        let p = CscMatrix::zeros((columns, columns));
+        let settings = DefaultSettingsBuilder::default()
+            .verbose(false)
+            .max_iter(200)
+            .build()
+            .ok()?;
+        let cones = [NonnegativeConeT(height)];
+        let mut solver = DefaultSolver::new(&p, q, &a, &self.b, &cones, settings).ok()?;
+        solver.solve();
+        let solved = matches!(
+            solver.solution.status,
+            SolverStatus::Solved | SolverStatus::AlmostSolved
+        );
+        solved.then_some(solver.solution.x)
+    }
+}
+
+/// The most that can open at once: each contact counts 1 where it opens at all.
+fn open(unknowns: usize, rows: &[Row], one_way: &[&Row]) -> Option<(DVector<f64>, Vec<bool>)> {
+    let mut programme = Programme::default();
     for (k, row) in one_way.iter().enumerate() {
-        let mut own = negative(&entries(row).collect::<Vec<_>>());
-        own.push((unknowns + k, 1.0));
-        line(&own, 0.0);
-        line(&[(unknowns + k, 1.0)], 1.0);
-        line(&[(unknowns + k, -1.0)], 0.0);
+        let opening = unknowns + k;
+        let own = entries(row).map(|(j, x)| (j, -x));
+        programme.line(own.chain([(opening, 1.0)]), 0.0);
+        programme.line([(opening, 1.0)], 1.0);
+        programme.line([(opening, -1.0)], 0.0);
     }
-    for row in rows.iter().filter(|r| r.both_ways) {
-        let own: Vec<_> = entries(row).collect();
-        line(&own, 0.0);
-        line(&negative(&own), 0.0);
-    }
-    for j in 0..unknowns {
-        line(&[(j, 1.0)], FARTHEST);
-        line(&[(j, -1.0)], FARTHEST);
-    }
-    let height = b.len();
-    let a = CscMatrix::new_from_triplets(height, columns, is, js, values);
-    let p = CscMatrix::zeros((columns, columns));
+    programme.bounds(unknowns, rows);
     let mut q = vec![0.0; unknowns];
-    q.extend(core::iter::repeat_n(-1.0, count));
-    let settings = DefaultSettingsBuilder::default()
-        .verbose(false)
-        .max_iter(200)
-        .build()
-        .ok()?;
-    let mut solver =
-        DefaultSolver::new(&p, &q, &a, &b, &[NonnegativeConeT(height)], settings).ok()?;
-    solver.solve();
-    if !matches!(
-        solver.solution.status,
-        SolverStatus::Solved | SolverStatus::AlmostSolved
-    ) {
-        return None;
-    }
-    let (motion, opened) = solver.solution.x.split_at_checked(unknowns)?;
+    q.extend(core::iter::repeat_n(-1.0, one_way.len()));
+    let found = programme.solve(&q)?;
+    let (motion, opened) = found.split_at_checked(unknowns)?;
     let opened = opened.iter().map(|s| *s > 0.5).collect();
     Some((DVector::from_column_slice(motion), opened))
+}
+
+/// How far a row goes before contacts stop it, each after its gap.
+pub(crate) fn farthest(bodies: usize, rows: &[Row], along: &Row) -> Option<f64> {
+    let unknowns = 6 * bodies;
+    if unknowns > MOST {
+        return None;
+    }
+    let mut programme = Programme::default();
+    for row in rows.iter().filter(|r| !r.both_ways) {
+        programme.line(entries(row).map(|(j, x)| (j, -x)), row.gap_mm);
+    }
+    programme.bounds(unknowns, rows);
+    let mut q = vec![0.0; unknowns];
+    for (j, x) in entries(along) {
+        if let Some(slot) = q.get_mut(j) {
+            *slot -= x;
+        }
+    }
+    let found = programme.solve(&q)?;
+    Some(-q.iter().zip(&found).map(|(q, x)| q * x).sum::<f64>())
 }
 
 /// The motions that none of some rows stops.
@@ -179,6 +218,7 @@ mod tests {
             second: Some(0),
             row: Vector6::new(turn.x, turn.y, turn.z, n.x, n.y, n.z),
             both_ways: false,
+            gap_mm: 0.0,
         }
     }
 

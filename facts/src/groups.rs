@@ -80,7 +80,7 @@ pub(crate) fn engaged(of: &Placed<'_>) -> Vec<Engaged> {
                 .rev()
                 .take(1)
                 .any(|e: &Engaged| (e.screw, e.nut) == (screw, nut));
-            if same && meeting.gap_mm <= TOUCH_MM && !known {
+            if same && meeting.gap_mm <= TOUCH_MM && long(meeting, SCREWED_IN) && !known {
                 out.push(Engaged {
                     screw,
                     nut,
@@ -107,12 +107,26 @@ const PRESSED_MM: f64 = 1e-4;
 /// It holds where it closes around at least this share of the circle.
 const CLOSED: f64 = 0.5;
 
+/// The least common length of a press fit and of a thread that holds, as shares of the diameter. Ours: half of a thin
+/// nut, and less than any seat.
+const SEATED: f64 = 0.1;
+const SCREWED_IN: f64 = 0.25;
+
+/// Whether a round contact is at least so many diameters long.
+fn long(meeting: &Meeting, share: f64) -> bool {
+    meeting.about.as_ref().is_some_and(|about| {
+        let [from, to] = about.range;
+        to - from >= share * 2.0 * about.hole_mm.abs().min(about.inner_mm.abs())
+    })
+}
+
 fn pressed(meeting: &Meeting, stated: bool) -> bool {
     let most = if stated { TOUCH_MM } else { -PRESSED_MM };
     let about = meeting.about.as_ref();
     matches!(meeting.kind, Kind::Cylinder | Kind::Cone)
         && meeting.gap_mm <= most
         && about.is_some_and(|a| a.share >= CLOSED)
+        && long(meeting, SEATED)
 }
 
 /// Joins what moves as one.

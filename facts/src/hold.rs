@@ -6,7 +6,7 @@ use assemcad_geometry::narrow::meet::{Kind, Meeting, Spot};
 use nalgebra::{DMatrix, DVector, Vector3, Vector6};
 use petgraph::unionfind::UnionFind;
 
-use crate::cone::{Cone, Row, cone};
+use crate::cone::{Cone, Row, cone, farthest};
 use crate::groups::{Engaged, Reason, engaged, grips, join, threaded};
 use crate::rows::Rows;
 use crate::stops::stops;
@@ -146,6 +146,13 @@ pub enum Way {
 }
 
 impl Free {
+    /// Whether a body meets anything at all.
+    #[must_use]
+    pub fn meets(&self, body: usize) -> bool {
+        let own = |r: &Row| r.first == Some(body) || r.second == Some(body);
+        self.rows.iter().any(own)
+    }
+
     /// The twist of a simple motion.
     #[must_use]
     pub fn twist(&self, way: &Way) -> Vector6<f64> {
@@ -186,6 +193,30 @@ impl Free {
     pub fn ways(&self, body: usize) -> impl Iterator<Item = (Way, Vector6<f64>)> {
         let ways = self.ways.get(body).into_iter().flatten();
         ways.map(|way| (*way, self.twist(way)))
+    }
+}
+
+impl Free {
+    /// How far a body can turn about an axis against another one before contacts stop it, both ways together, in
+    /// radians; none where it could not be told. None stands for what stands still.
+    #[must_use]
+    pub fn turn_play_between(
+        &self,
+        first: Option<usize>,
+        second: Option<usize>,
+        axis: &V,
+    ) -> Option<f64> {
+        let about = Rows::about(axis) / self.scale.length;
+        let row = |sign: f64| Row {
+            first,
+            second,
+            row: about * sign,
+            both_ways: false,
+            gap_mm: 0.0,
+        };
+        let bodies = self.bodies.len();
+        let one = farthest(bodies, &self.rows, &row(1.0))?;
+        Some(one + farthest(bodies, &self.rows, &row(-1.0))?)
     }
 }
 
@@ -427,6 +458,10 @@ fn free_of(members: &[usize], contacts: &[Contact], has_still: bool) -> Free {
     }
     for c in &own {
         let (first, second) = (body(c.first), body(c.second));
+        let gap_mm = match &c.hold {
+            Hold::Spot(spot) => spot.gap_mm.max(0.0),
+            _ => 0.0,
+        };
         let (row, both_ways) = match &c.hold {
             Hold::Spot(spot) => {
                 let (at, normal) = (V::from(spot.at), V::from(spot.normal));
@@ -455,6 +490,7 @@ fn free_of(members: &[usize], contacts: &[Contact], has_still: bool) -> Free {
             second,
             row,
             both_ways,
+            gap_mm,
         });
     }
     for (b, list) in ways.iter_mut().enumerate() {

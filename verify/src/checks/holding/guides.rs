@@ -5,7 +5,7 @@ use assemcad_geometry::narrow::meet::{About, Kind};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::mates::MateType;
 use assemcad_model::ports::PortType;
-use assemcad_model::report::{Finding, Verdict, rounded};
+use assemcad_model::report::{Finding, MateFacts, Verdict, rounded};
 use assemcad_placing::{Assembled, ResolvedMate};
 use nalgebra::Vector3;
 use serde_json::{Map, json};
@@ -17,9 +17,17 @@ const ON_AXIS: (f64, f64) = (0.5, 1e-3);
 
 /// Holes that guide nothing: of mates of a shaft in a bore or a hole. A clearance hole is wide on purpose, and holds
 /// nothing by itself.
-pub(super) fn told(assembled: &Assembled<'_>, pairs: &[PairMeetings]) -> Vec<Finding> {
+pub(super) fn told(
+    assembled: &Assembled<'_>,
+    pairs: &[PairMeetings],
+    facts: &[MateFacts],
+) -> Vec<Finding> {
     let mates = assembled.resolved.mates.iter();
     mates
+        .zip(facts)
+        // Where the contact that the mate promises is missing, that was told.
+        .filter(|(_, f)| f.contact != Some(Verdict::Fail))
+        .map(|(m, _)| m)
         .filter(|m| guiding(m) && !guided(assembled, m, pairs))
         .filter_map(|m| finding(m))
         .collect()

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use assemcad_facts::{Free, Held, Way};
-use assemcad_model::diagnostic::{Code, Diagnostic};
+use assemcad_model::diagnostic::{Code, Diagnostic, Severity};
 use assemcad_model::freedom::Link;
 use assemcad_model::name::listed;
 use assemcad_model::report::{Finding, Verdict, rounded};
@@ -27,6 +27,8 @@ pub(super) struct Loose {
     pub(super) way: Option<Way>,
     /// Indices of the links that say they hold it.
     pub(super) links: Vec<usize>,
+    /// Whether what goes meets anything at all: what hangs in the air does not lie loose.
+    pub(super) lies: bool,
 }
 
 /// Every loose body once, by its simplest motion, with what it pushes along; of what is loose in no simple way, one
@@ -60,6 +62,7 @@ pub(super) fn loose(held: &Held, links: &[Link]) -> Vec<Loose> {
                             .collect(),
                         way: Some(way),
                         links,
+                        lies: set.iter().all(|b| free.meets(*b)),
                     });
                     seen.push(set);
                 }
@@ -167,6 +170,7 @@ fn together(free: &Free, claims: &[Claim], basis: &DMatrix<f64>) -> Option<Loose
         bodies: moving.map(|(b, _)| *b).collect(),
         way: None,
         links: broken(claims, &twist),
+        lies: (0..free.bodies.len()).all(|b| free.meets(b)),
     })
 }
 
@@ -177,9 +181,9 @@ pub(super) fn told(
     held: &Held,
     loose: &[Loose],
 ) -> Vec<Finding> {
-    let mut grouped: BTreeMap<(Vec<&str>, u8), Vec<&Loose>> = BTreeMap::new();
-    let mut order: Vec<(Vec<&str>, u8)> = Vec::new();
-    for one in loose.iter().filter(|l| !may_be(spec, resolved, held, l)) {
+    let mut grouped: BTreeMap<(bool, Vec<&str>, u8), Vec<&Loose>> = BTreeMap::new();
+    let mut order: Vec<(bool, Vec<&str>, u8)> = Vec::new();
+    for one in loose {
         let parts = one
             .bodies
             .iter()
@@ -191,6 +195,7 @@ pub(super) fn told(
             .collect();
         kinds.sort_unstable();
         let key = (
+            may_be(spec, resolved, held, one),
             kinds,
             match one.way {
                 Some(Way::Slide(_)) => 0,
@@ -205,23 +210,36 @@ pub(super) fn told(
     }
     order
         .iter()
-        .filter_map(|key| grouped.get(key))
-        .filter_map(|all| finding(resolved, held, all))
+        .filter_map(|key| Some((key.0, grouped.get(key)?)))
+        .filter_map(|(stated, all)| {
+            let found = finding(resolved, held, all)?;
+            Some(if stated { as_stated(found) } else { found })
+        })
         .collect()
+}
+
+/// What is stated as free is shown, and is no fault.
+fn as_stated(mut found: Finding) -> Finding {
+    found.verdict = Verdict::Pass;
+    found.diagnostic.severity = Severity::Note;
+    found.diagnostic.message = format!("stated as free: {}", found.diagnostic.message);
+    found.diagnostic.hint = None;
+    found
 }
 
 /// Whether it is stated that some of what goes may go so.
 fn may_be(spec: &Assembly, resolved: &Resolved, held: &Held, loose: &Loose) -> bool {
     let bodies = loose.bodies.iter().filter_map(|b| held.bodies.get(*b));
     let names: Vec<String> = bodies.flatten().map(|p| resolved.name(*p)).collect();
-    spec.free.iter().any(|f| {
-        names.contains(&f.part)
-            && match &loose.way {
-                Some(Way::Slide(along)) => f.is_slide((*along).into()),
-                Some(Way::Turn(_, along)) => f.is_turn((*along).into()),
-                None => f.slides_along.is_none() && f.turns_about.is_none(),
-            }
-    })
+    loose.lies
+        && spec.free.iter().any(|f| {
+            names.contains(&f.part)
+                && match &loose.way {
+                    Some(Way::Slide(along)) => f.is_slide((*along).into()),
+                    Some(Way::Turn(_, along)) => f.is_turn((*along).into()),
+                    None => f.slides_along.is_none() && f.turns_about.is_none(),
+                }
+        })
 }
 
 fn finding(resolved: &Resolved, held: &Held, all: &[&Loose]) -> Option<Finding> {

@@ -28,6 +28,7 @@ mod guides;
 mod holes;
 mod loose;
 mod moves;
+mod play;
 mod teeth;
 
 pub(crate) use moves::Moves;
@@ -84,10 +85,11 @@ pub(crate) async fn check(
             coupled: &claims.coupled,
         });
         let loose = loose::loose(&held, &links);
-        (held, loose, pairs, links)
+        let rattles = play::rattles(&held, &pairs);
+        (held, loose, rattles, pairs, links)
     })
     .await;
-    let Ok((held, loose, pairs, links)) = looked else {
+    let Ok((held, loose, rattles, pairs, links)) = looked else {
         results.check(CHECK, Verdict::Indeterminate, cases, HOW);
         return None;
     };
@@ -103,8 +105,9 @@ pub(crate) async fn check(
     }
     let mut told = loose::told(spec, resolved, &held, &loose);
     told.extend(fits::told(resolved, &held));
-    told.extend(guides::told(assembled, &pairs));
+    told.extend(guides::told(assembled, &pairs, mates));
     told.extend(teeth::told(assembled));
+    told.extend(play::told(resolved, &rattles));
     told.extend(holes::told(door, assembled, &held, &pairs).await);
     for finding in told {
         verdict = verdict.and(finding.verdict);
