@@ -1,7 +1,13 @@
 //! `make faults`: every sound assembly and every defect before a server, and the page on what it said.
 
 // A program of its own: its standard output is for people.
-#![allow(clippy::print_stdout, clippy::unwrap_used, clippy::expect_used)]
+#![allow(
+    clippy::print_stdout,
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::indexing_slicing,
+    clippy::panic
+)]
 
 // Other sessions use more of it.
 #[allow(dead_code)]

@@ -133,9 +133,7 @@ fn within(facts: &Indexed, inner: &str, outer: &str) -> bool {
     let (Some([low, high]), Some([from, to])) = (of(inner), of(outer)) else {
         return false;
     };
-    let inside =
-        low.iter().zip(from).all(|(a, b)| *a > b) && high.iter().zip(to).all(|(a, b)| *a < b);
-    inside
+    low.iter().zip(from).all(|(a, b)| *a > b) && high.iter().zip(to).all(|(a, b)| *a < b)
 }
 
 fn sampled(ways: &Ways) -> String {

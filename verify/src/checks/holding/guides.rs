@@ -29,7 +29,7 @@ pub(super) fn told(
         .filter(|(_, f)| f.contact != Some(Verdict::Fail))
         .map(|(m, _)| m)
         .filter(|m| guiding(m) && !guided(assembled, m, pairs))
-        .filter_map(|m| finding(m))
+        .filter_map(finding)
         .collect()
 }
 
