@@ -282,7 +282,8 @@ impl Workshop {
         if let Some(accept) = intent.accept {
             spec.accept = accept;
         }
-        let faults = spec.stated_faults();
+        let mut faults = spec.stated_faults();
+        faults.extend(assemcad_verify::axioms::accept::faults(&spec));
         if !faults.is_empty() {
             return Err(faults);
         }

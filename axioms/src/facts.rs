@@ -29,6 +29,9 @@ pub struct Facts {
     /// How many independent motions are meant; none where it is not stated.
     #[serde(default)]
     pub intended_mobility: Option<u32>,
+    /// The parts of which a motion is stated as meant.
+    #[serde(default)]
+    pub meant_to_move: Vec<String>,
     /// What the analysis of motion found; none where there was none.
     #[serde(default)]
     pub mobility: Option<Mobility>,

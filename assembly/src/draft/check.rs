@@ -46,7 +46,8 @@ pub(super) async fn check(workshop: &Workshop, draft: &Draft) -> Vec<Diagnostic>
     let mates = mates(draft, &parts, &mut found);
     let root = root(draft, &mut found);
     if let Some(assembly) = &draft.assembly {
-        let faults = assembly.stated_faults().into_iter();
+        let stated = assembly.stated_faults().into_iter();
+        let faults = stated.chain(assemcad_verify::axioms::accept::faults(assembly));
         found.extend(faults.map(|d| {
             let place = draft.place(&d.place);
             d.at(place)

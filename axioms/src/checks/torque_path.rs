@@ -64,6 +64,11 @@ impl Check for TorquePath {
                 continue;
             };
             let (hub, shaft) = (bore.part, shaft.part);
+            // A wheel that is meant to turn, on a shaft that is not, runs free on its axle.
+            let moves = |p: &PartFacts| facts.meant_to_move.contains(&p.id);
+            if moves(hub) && !moves(shaft) {
+                continue;
+            }
             if shaft.class() != Class::Shaft || !passes_torque(facts, hub, m, self.axiom()) {
                 continue;
             }

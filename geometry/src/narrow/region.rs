@@ -59,6 +59,19 @@ pub(super) fn common(a: &Region, b: &Region) -> (f64, Vec<P>) {
             && high.y >= window.0.y - SAME_MM
     };
     let near: Vec<&Curve> = a.iter().chain(b).filter(seen).collect();
+    // A ray along x from a point of the window passes only what reaches the window's heights.
+    let beside = |region: &Region| -> Region {
+        let heights = |c: &&Curve| {
+            let (low, high) = bounds(core::slice::from_ref(*c));
+            // Points are looked at a little beside the window's border.
+            let slack = 2.0 * BESIDE_MM;
+            low.y <= window.1.y + slack
+                && high.y >= window.0.y - slack
+                && high.x >= window.0.x - slack
+        };
+        region.iter().filter(heights).copied().collect()
+    };
+    let (rows_a, rows_b) = (beside(a), beside(b));
     let origin = (window.0 + window.1) / 2.0;
     let mut kept: Vec<(P, f64)> = Vec::new();
     let mut area = 0.0;
@@ -66,7 +79,7 @@ pub(super) fn common(a: &Region, b: &Region) -> (f64, Vec<P>) {
     for curve in &near {
         for piece in pieces(curve, &near) {
             let (middle, left) = piece.middle();
-            let both = |p: P| inside(a, &p) && inside(b, &p);
+            let both = |p: P| inside(&rows_a, &p) && inside(&rows_b, &p);
             let (on_left, on_right) = (
                 both(middle + left * BESIDE_MM),
                 both(middle - left * BESIDE_MM),

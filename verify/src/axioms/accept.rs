@@ -23,46 +23,51 @@ fn acceptable(axiom: &str) -> bool {
         || !(FACTS.contains(&axiom) || whole.iter().any(|start| axiom.starts_with(start)))
 }
 
-/// What is stated as accepted. What cannot be is a finding.
-pub(super) fn stated(spec: &Assembly, results: &mut Results) -> Vec<AcceptedFact> {
-    let mut out = Vec::new();
-    for (i, a) in spec.accept.iter().enumerate() {
+/// What is wrong with what is accepted: rules that there are not, and rules that nobody can accept as broken. Places are
+/// those of the specification.
+#[must_use]
+pub fn faults(spec: &Assembly) -> Vec<Diagnostic> {
+    let each = spec.accept.iter().enumerate();
+    each.filter_map(|(i, a)| {
         let place = format!("accept[{i}].axiom");
-        let known = axioms().iter().any(|x| x.id == a.axiom);
-        let d = match (known, acceptable(&a.axiom)) {
-            (true, true) => {
-                out.push(AcceptedFact {
-                    axiom: a.axiom.clone(),
-                    parts: a.parts.clone(),
-                    reason: a.reason.clone(),
-                    findings: 0,
-                });
-                continue;
+        let d = if !axioms().iter().any(|x| x.id == a.axiom) {
+            let ids = axioms().iter().map(|x| x.id.as_str());
+            let near = nearest(&a.axiom, ids, 1);
+            let d = Diagnostic::error(Code::AxiomUnknown, place, "there is no such axiom");
+            match near.first() {
+                Some(near) => d.hint(format!("did you mean '{near}'?")),
+                None => d,
             }
-            (false, _) => {
-                let ids = axioms().iter().map(|x| x.id.as_str());
-                let near = nearest(&a.axiom, ids, 1);
-                let d = Diagnostic::error(Code::AxiomUnknown, place, "there is no such axiom");
-                match near.first() {
-                    Some(near) => d.hint(format!("did you mean '{near}'?")),
-                    None => d,
-                }
-            }
-            (true, false) => Diagnostic::error(
+        } else if acceptable(&a.axiom) {
+            return None;
+        } else {
+            let can = axioms().iter().map(|x| x.id.as_str()).filter(|id| acceptable(id));
+            Diagnostic::error(
                 Code::SpecificationInvalid,
                 place,
                 "this rule says what is so and is no matter of experience: it cannot be accepted as broken",
             )
-            .hint("mend what its findings name"),
+            .expected(json!(can.collect::<Vec<_>>()))
+            .hint("mend what its findings name")
         };
-        results.find(
-            Verdict::Fail,
-            check::CHECK,
-            a.parts.clone(),
-            d.found(a.axiom.as_str()),
-        );
+        Some(d.found(a.axiom.as_str()))
+    })
+    .collect()
+}
+
+/// What is stated as accepted. What cannot be is a finding.
+pub(super) fn stated(spec: &Assembly, results: &mut Results) -> Vec<AcceptedFact> {
+    for d in faults(spec) {
+        results.find(Verdict::Fail, check::CHECK, Vec::new(), d);
     }
-    out
+    let good = spec.accept.iter().filter(|a| acceptable(&a.axiom));
+    good.map(|a| AcceptedFact {
+        axiom: a.axiom.clone(),
+        parts: a.parts.clone(),
+        reason: a.reason.clone(),
+        findings: 0,
+    })
+    .collect()
 }
 
 /// Takes the broken cases out of an axiom's that are accepted, and tells each.

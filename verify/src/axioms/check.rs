@@ -44,11 +44,15 @@ pub(crate) async fn run(
         told.entry(v.axiom.clone()).or_default().push(v);
     }
     let mut all = Axioms::default();
-    let (mut verdict, mut cases) = (Verdict::Pass, 0);
+    let own = results.findings.iter().filter(|f| f.check == CHECK);
+    let (mut verdict, mut cases) = (own.map(|f| f.verdict).fold(Verdict::Pass, Verdict::and), 0);
     for axiom in axioms() {
         let mut verdicts = told.remove(&axiom.id).unwrap_or_default();
         accept::take(axiom, &mut verdicts, &mut accepted, results);
-        let fact = judged(axiom, &facts, &verdicts);
+        let taken = accepted
+            .iter()
+            .any(|a| a.axiom == axiom.id && a.findings > 0);
+        let fact = judged(axiom, &facts, &verdicts, taken);
         cases += fact.cases;
         verdict = verdict.and(match fact.status {
             AxiomStatus::Fail => Verdict::Fail,
@@ -101,10 +105,12 @@ pub(crate) fn not_checked(all: &Axioms) -> Vec<String> {
 }
 
 /// What an axiom came to, by the worst of its cases.
-fn judged(axiom: &Axiom, facts: &Facts, verdicts: &[Ruling]) -> AxiomFacts {
+fn judged(axiom: &Axiom, facts: &Facts, verdicts: &[Ruling], accepted: bool) -> AxiomFacts {
     let worst = verdicts.iter().map(|v| v.status).max();
     let (status, why) = match (&axiom.check, worst) {
         (Checking::None { why }, _) => (AxiomStatus::NotChecked, Some(why.clone())),
+        // Broken, and accepted wherever it is.
+        (_, None | Some(Status::Pass)) if accepted => (AxiomStatus::Warning, None),
         (Checking::Checked { .. }, None) => (AxiomStatus::NotChecked, Some(NOT_WRITTEN.to_owned())),
         (Checking::Checked { needs, .. }, Some(Status::Indeterminate))
             if needs.contains(&Need::Mobility) && facts.mobility.is_none() =>

@@ -76,6 +76,11 @@ pub(super) fn facts(
         parts: parts.collect(),
         mates: mates.collect(),
         intended_mobility: spec.motions_meant(),
+        meant_to_move: spec
+            .intended_motions
+            .iter()
+            .map(|m| m.part.clone())
+            .collect(),
         mobility: measured
             .freedom
             .and_then(|f| mobility(f, measured.motions?)),

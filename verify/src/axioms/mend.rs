@@ -76,7 +76,7 @@ fn remedy(id: &str) -> Option<(By, &'static str)> {
         ),
         "G-08" => (
             Options,
-            "make the gear_mesh mate again with backlash_mm, about 0.05 times the module",
+            "thin the teeth of the gears (parameter backlash_mm of gear.spur, thinning of a port), about 0.05 times the module; backlash_mm of the mate widens the centre distance, which fixed axles do not give",
         ),
         "G-09" => (
             Params,

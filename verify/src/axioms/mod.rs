@@ -1,6 +1,6 @@
 //! The engineering axioms at work: what mates cite, what checks read, and what the checks say.
 
-mod accept;
+pub mod accept;
 mod check;
 pub mod cite;
 mod facts;

@@ -13,6 +13,7 @@ mod tangent;
 
 use std::collections::BTreeMap;
 
+use assemcad_kernel::skin::{SkinCurve, SkinFace, SkinSurface};
 use assemcad_model::frame::Placement;
 use parry3d_f64::bounding_volume::BoundingVolume;
 use serde::{Deserialize, Serialize};
@@ -166,18 +167,36 @@ fn faces_near(a: &Boundary, b: &Boundary, at: &Placement) -> Near {
     if !region.intersects(&turned(b.bounds(), at)) {
         return out;
     }
+    let plains =
+        |of: &Boundary| -> Vec<bool> { of.skin().faces.iter().map(|f| plain(of, f)).collect() };
+    let (plains_a, plains_b) = (plains(a), plains(b));
+    let is = |all: &[bool], face: u32| all.get(face as usize).copied().unwrap_or_default();
     for leaf in b.tree().leaves(|node| node.aabb().intersects(&seen)) {
         let Some((face_b, _, own)) = b.triangle(leaf) else {
             continue;
         };
         let around = aabb(&own.map(|p| V::from(at.point(p.into())))).loosened(reach);
         for other in a.tree().leaves(|node| node.aabb().intersects(&around)) {
-            if let Some((face_a, ..)) = a.triangle(other) {
-                out.entry((face_a, face_b)).or_default().push((other, leaf));
+            let Some((face_a, ..)) = a.triangle(other) else {
+                continue;
+            };
+            let near = out.entry((face_a, face_b)).or_default();
+            // Planes are told by their borders, where these are lines and arcs: one pair of triangles says enough.
+            if near.is_empty() || !(is(&plains_a, face_a) && is(&plains_b, face_b)) {
+                near.push((other, leaf));
             }
         }
     }
     out
+}
+
+/// Whether a face is a plane that lines and arcs bound.
+fn plain(of: &Boundary, face: &SkinFace) -> bool {
+    matches!(face.surface, SkinSurface::Plane { .. })
+        && face.edges.iter().all(|e| {
+            let curve = of.edge(*e).map(|e| e.curve);
+            !matches!(curve, None | Some(SkinCurve::Other))
+        })
 }
 
 /// Whether a face is there at a point of its surface.
