@@ -74,9 +74,13 @@ fn a_thin_overlap_on_a_face_is_found() {
 #[test]
 fn parts_that_only_touch_are_not_reported() {
     let (_, report) = cubes(0.0);
-    assert_eq!(
-        (&report["verdict"], &report["findings"]),
-        (&json!("pass"), &json!([]))
+    assert_eq!(report["verdict"], "pass");
+    // That it lies loose is shown, as it is stated.
+    let findings = report["findings"].as_array().unwrap();
+    assert!(
+        findings
+            .iter()
+            .all(|f| f["check"] == "holding" && f["verdict"] == "pass")
     );
     let pair = &report["measured"]["pairs"][0];
     assert!(near(&pair["common_volume_mm3"], 0.0, 1e-9), "{pair}");
@@ -137,6 +141,7 @@ fn a_part_that_nothing_joins_is_reported() {
         .as_array()
         .unwrap()
         .iter()
+        .filter(|f| f["verdict"] != "pass")
         .map(|f| (f["diagnostic"]["code"].as_str().unwrap(), &f["parts"]))
         .collect();
     // One finding for each island; the mate inside the island cannot be checked.

@@ -15,6 +15,26 @@ const ALONG: f64 = 0.3;
 /// Directions are told apart down to this, in unit vectors.
 const SAME_WAY: f64 = 1e-6;
 
+/// A head or an end bears on at least this share of the screw's section. Ours: a head of ISO 4762 on the coarse
+/// clearance hole of ISO 273 bears on more than all of it.
+const BEARING: f64 = 0.3;
+
+/// Whether points lie all around an axis through the origin.
+fn around(arms: &[Vector3<f64>], way: &Vector3<f64>) -> bool {
+    let least = way.iamin();
+    let mut other = Vector3::zeros();
+    if let Some(slot) = other.get_mut(least) {
+        *slot = 1.0;
+    }
+    let x = way.cross(&other).normalize();
+    let y = way.cross(&x);
+    (0..16_u32).all(|k| {
+        let (sin, cos) = libm::sincos(core::f64::consts::TAU * f64::from(k) / 16.0);
+        let along = x * cos + y * sin;
+        arms.iter().any(|a| a.dot(&along) > 0.0)
+    })
+}
+
 /// Which parts press on which, along the directions in which screws pull.
 pub(crate) struct Presses<'a> {
     of: &'a Placed<'a>,
@@ -54,7 +74,49 @@ impl<'a> Presses<'a> {
             return BTreeSet::new();
         }
         let back = self.reach(&nut, &-e.way, &heads);
-        forth.intersection(&back).copied().collect()
+        let grip: BTreeSet<usize> = forth.intersection(&back).copied().collect();
+        let seated = self.seated(e, (e.screw, e.nut), &e.way, &grip)
+            && self.seated(e, (e.nut, e.screw), &-e.way, &grip);
+        match seated {
+            true => grip,
+            false => BTreeSet::new(),
+        }
+    }
+
+    /// Whether the screw, or its nut, bears on what it presses: over some of the screw's section, and all around its
+    /// axis. Of a stud, and of what presses with a point or a cone, nothing is asked.
+    fn seated(
+        &self,
+        e: &Engaged,
+        (end, other_end): (usize, usize),
+        way: &Vector3<f64>,
+        grip: &BTreeSet<usize>,
+    ) -> bool {
+        let own = self.pairs.get(end).into_iter().flatten();
+        let pairs = own.filter_map(|i| self.of.pairs.get(*i));
+        let (mut area, mut arms) = (0.0, Vec::new());
+        for p in pairs {
+            let (other, sign) = if p.a == end { (p.b, 1.0) } else { (p.a, -1.0) };
+            if !grip.contains(&other) && other != other_end {
+                continue;
+            }
+            for m in p.meetings.iter().filter(|m| m.touches()) {
+                let along = |n: [f64; 3]| Vector3::from(n).dot(way) * sign > ALONG;
+                if !m.spots.iter().any(|s| along(s.normal)) {
+                    continue;
+                }
+                if m.kind != Kind::Plane {
+                    return true;
+                }
+                area += m.area_mm2;
+                arms.extend(m.spots.iter().map(|s| Vector3::from(s.at) - e.point));
+            }
+        }
+        if arms.is_empty() {
+            return true;
+        }
+        let section = core::f64::consts::FRAC_PI_4 * e.diameter * e.diameter;
+        area >= BEARING * section && around(&arms, way)
     }
 
     /// The parts that some press on, and those that these press on.

@@ -33,6 +33,8 @@ pub(crate) struct Engaged {
     /// The way in which the screw goes in: out of its end.
     pub(crate) way: Vector3<f64>,
     pub(crate) point: Vector3<f64>,
+    /// Nominal diameter in mm.
+    pub(crate) diameter: f64,
     /// Pitch in mm, negative of a left-hand thread.
     pub(crate) lead: f64,
     /// Whether it stays where it is by its own friction.
@@ -86,6 +88,7 @@ pub(crate) fn engaged(of: &Placed<'_>) -> Vec<Engaged> {
                     nut,
                     way: outside.direction,
                     point: outside.point,
+                    diameter: outside.diameter_mm,
                     lead: outside.lead_mm,
                     stays: !of.driven.contains(&(screw, nut)) && !of.driven.contains(&(nut, screw)),
                 });
@@ -101,6 +104,12 @@ pub(crate) fn threaded(engaged: &[Engaged]) -> BTreeSet<(usize, usize)> {
     engaged.iter().map(pair).collect()
 }
 
+/// A bond holds over at least this share of the smaller part's size, its volume to the power of two thirds. Ours.
+const BONDED: f64 = 0.01;
+
+/// The widest play on the diameter that glue fills, in mm: retaining compounds are made for up to 0.25 mm.
+const FILLED_MM: f64 = 0.2;
+
 /// A pressed fit holds from this much interference on the radius on, in mm.
 const PRESSED_MM: f64 = 1e-4;
 
@@ -109,7 +118,7 @@ const CLOSED: f64 = 0.5;
 
 /// The least common length of a press fit and of a thread that holds, as shares of the diameter. Ours: half of a thin
 /// nut, and less than any seat.
-const SEATED: f64 = 0.1;
+const SEATED: f64 = 0.2;
 const SCREWED_IN: f64 = 0.25;
 
 /// Whether a round contact is at least so many diameters long.
@@ -151,7 +160,12 @@ pub(crate) fn join(
             take(a, b, Reason::Pressed);
         }
         let bonded = of.bonded.contains(&(a, b)) || of.bonded.contains(&(b, a));
-        let touches = |m: &Meeting| m.area_mm2 > 0.0 && m.touches();
+        let least = BONDED * of.volume(a).min(of.volume(b));
+        let touches = |m: &Meeting| {
+            // Retaining compounds fill the play of a round joint; elsewhere a gap is one.
+            let near = m.touches() || (m.kind == Kind::Cylinder && 2.0 * m.gap_mm <= FILLED_MM);
+            near && m.area_mm2 > least
+        };
         if bonded && pair.meetings.iter().any(touches) {
             take(a, b, Reason::Bonded);
         }

@@ -75,6 +75,17 @@ pub struct Placed<'a> {
     pub driven: &'a BTreeSet<(usize, usize)>,
     /// Teeth that mesh.
     pub coupled: &'a [Coupled],
+    /// The volumes of the parts, in mm3; 0 where they are not known.
+    pub volumes: &'a [f64],
+}
+
+impl Placed<'_> {
+    /// The size of a part as an area: its volume to the power of two thirds.
+    pub(crate) fn volume(&self, part: usize) -> f64 {
+        let volume = self.volumes.get(part).copied().unwrap_or_default();
+        let edge = libm::cbrt(volume);
+        edge * edge
+    }
 }
 
 /// What holds what.

@@ -139,6 +139,19 @@ impl Assembly {
                 }
             }
         }
+        for (i, m) in self.intended_motions.iter().enumerate() {
+            let place = format!("intended_motions[{i}]");
+            if m.slides_along.is_some() == m.turns_about.is_some() {
+                let said = "a motion that is meant slides along one axis or turns about one";
+                let d = Diagnostic::error(Code::SpecificationInvalid, place, said);
+                out.push(d.hint("state slides_along or turns_about: x, y or z"));
+            } else if self.intended_motions.iter().take(i).any(|o| {
+                (&o.part, o.slides_along, o.turns_about) == (&m.part, m.slides_along, m.turns_about)
+            }) {
+                let said = "this motion is stated already";
+                out.push(Diagnostic::error(Code::SpecificationInvalid, place, said));
+            }
+        }
         let counted = self.intended_motions.len();
         if let Some(n) = self.intended_mobility
             && counted > 0

@@ -17,7 +17,7 @@ const DEEPEST_MM: f64 = 0.2;
 const LEAST_MM2: f64 = 1e-6;
 
 /// A strip or the rim of a ring that is narrower carries nothing, in mm. Ours.
-const LEAST_MM: f64 = 0.05;
+const LEAST_MM: f64 = 0.3;
 
 /// Directions in which the outermost points are looked for.
 const OUTERMOST: u32 = 16;

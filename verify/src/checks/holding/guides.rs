@@ -1,10 +1,11 @@
 //! Axes that a mate lays on one line: the shaft is guided by the hole, or the mate says more than is there.
 
+use assemcad_axioms::Class;
 use assemcad_facts::{PairMeetings, guides};
 use assemcad_geometry::narrow::meet::{About, Kind};
 use assemcad_model::diagnostic::{Code, Diagnostic};
 use assemcad_model::mates::MateType;
-use assemcad_model::ports::PortType;
+use assemcad_model::ports::{Port, PortType};
 use assemcad_model::report::{Finding, MateFacts, Verdict, rounded};
 use assemcad_placing::{Assembled, ResolvedMate};
 use nalgebra::Vector3;
@@ -14,6 +15,23 @@ type V = Vector3<f64>;
 
 /// How far the axis of a contact may be off the mate's, in mm and as a sine.
 const ON_AXIS: (f64, f64) = (0.5, 1e-3);
+
+/// The least share of the shorter of two seats that they have in common. Ours.
+const LEAST_SHARE: f64 = 0.4;
+
+/// The widest play of a bearing's ring on its seat, in mm on the diameter: more than any seat of ISO 286 for bearings.
+const RING_MM: f64 = 0.1;
+
+/// The length of the shorter of a mate's two seats.
+fn shorter(m: &ResolvedMate) -> f64 {
+    let of = |p: &Port| {
+        let named = ["depth", "length"];
+        let length = named.iter().find_map(|n| p.params.get(*n).copied());
+        length.unwrap_or(f64::INFINITY)
+    };
+    let least = of(&m.base_port).min(of(&m.incoming_port));
+    if least.is_finite() { least } else { 0.0 }
+}
 
 /// Holes that guide nothing: of mates of a shaft in a bore or a hole. A clearance hole is wide on purpose, and holds
 /// nothing by itself.
@@ -54,12 +72,25 @@ fn guided(assembled: &Assembled<'_>, m: &ResolvedMate, pairs: &[PairMeetings]) -
         (arm - axis * arm.dot(&axis)).norm() <= ON_AXIS.0
             && V::from(about.direction).cross(&axis).norm() <= ON_AXIS.1
     };
+    let rings = [m.base, m.incoming].iter().any(|p| {
+        let part = assembled.resolved.parts.get(*p);
+        part.is_some_and(|p| Class::of_factory(&p.factory) == Class::BallBearing)
+    });
+    let play_mm = if rings { RING_MM } else { f64::INFINITY };
     let ends = [(m.base, m.incoming), (m.incoming, m.base)];
     let own = pairs.iter().filter(|p| ends.contains(&(p.a, p.b)));
     own.flat_map(|p| &p.meetings).any(|meeting| {
+        let far_enough = |about: &About| {
+            let [from, to] = about.range;
+            to - from >= LEAST_SHARE * shorter(m)
+        };
         meeting.kind == Kind::Cylinder
-            && meeting.about.as_ref().is_some_and(on_axis)
+            && meeting
+                .about
+                .as_ref()
+                .is_some_and(|a| on_axis(a) && far_enough(a))
             && guides(meeting)
+            && 2.0 * meeting.gap_mm <= play_mm
     })
 }
 

@@ -231,15 +231,18 @@ fn as_stated(mut found: Finding) -> Finding {
 fn may_be(spec: &Assembly, resolved: &Resolved, held: &Held, loose: &Loose) -> bool {
     let bodies = loose.bodies.iter().filter_map(|b| held.bodies.get(*b));
     let names: Vec<String> = bodies.flatten().map(|p| resolved.name(*p)).collect();
-    loose.lies
-        && spec.free.iter().any(|f| {
-            names.contains(&f.part)
+    // Every part that goes is stated: what is glued on a lid says nothing of the lid.
+    let stated = |name: &String| {
+        spec.free.iter().any(|f| {
+            f.part == *name
                 && match &loose.way {
                     Some(Way::Slide(along)) => f.is_slide((*along).into()),
                     Some(Way::Turn(_, along)) => f.is_turn((*along).into()),
                     None => f.slides_along.is_none() && f.turns_about.is_none(),
                 }
         })
+    };
+    loose.lies && names.iter().all(stated)
 }
 
 fn finding(resolved: &Resolved, held: &Held, all: &[&Loose]) -> Option<Finding> {

@@ -71,6 +71,9 @@ pub(crate) async fn check(
     let mut links = system.links;
     links.retain(|l| there(l.base) && there(l.incoming));
     let count = parts;
+    let volumes: Vec<f64> = (0..parts)
+        .map(|p| assembled.built(p).map_or(0.0, |b| b.volume))
+        .collect();
     let spins: Vec<_> = system.bodies.iter().map(|b| b.spin).collect();
     // Much work where many parts are loose: not for the threads that answer.
     let looked = tokio::task::spawn_blocking(move || {
@@ -83,6 +86,7 @@ pub(crate) async fn check(
             bonded: &claims.bonded,
             driven: &claims.driven,
             coupled: &claims.coupled,
+            volumes: &volumes,
         });
         let loose = loose::loose(&held, &links);
         let rattles = play::rattles(&held, &pairs);

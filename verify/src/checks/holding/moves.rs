@@ -73,10 +73,12 @@ pub(super) fn moves(
             if !parts.iter().any(meant) {
                 excused.extend(idle(free, parts, spins).map(of));
             }
-            for stated in &spec.free {
-                if parts.iter().any(|p| name(p) == stated.part) {
-                    excused.extend(stated_twists(stated).into_iter().map(of));
-                }
+            // Every part that goes is stated as free: what is glued on a wheel says nothing of the wheel.
+            let free_to = |p: &usize| spec.free.iter().find(|f| name(p) == f.part);
+            if let Some(stated) = parts.first().and_then(free_to)
+                && parts.iter().all(|p| free_to(p).is_some())
+            {
+                excused.extend(stated_twists(stated).into_iter().map(of));
             }
         }
         let count = real.ncols() - common(&real, &excused);
