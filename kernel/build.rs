@@ -5,6 +5,8 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+include!("sources.rs");
+
 /// What the verbs use, beyond what comes along with `opencascade-sys`.
 const LIBRARIES: [&str; 23] = [
     "TKDESTEP",
@@ -102,10 +104,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     );
     println!(
         "cargo:rustc-env=ASSEMCAD_KERNEL_SOURCES={:016x}",
-        sources()?
+        sources(&["src", "cpp"])?
     );
-    println!("cargo:rerun-if-changed=src");
-    println!("cargo:rerun-if-changed=cpp");
+    println!("cargo:rerun-if-changed=sources.rs");
     Ok(())
 }
 
@@ -119,29 +120,4 @@ fn occt_version(include: &str) -> Result<String, Box<dyn Error>> {
         .and_then(|l| l.split('"').nth(1))
         .ok_or("OCCT's headers state no version")?;
     Ok(version.to_owned())
-}
-
-/// A number that changes with the sources of this crate (FNV-1a, 64 bits): solids that another
-/// version of them made are not taken from the cache.
-fn sources() -> Result<u64, Box<dyn Error>> {
-    let mut files = Vec::new();
-    let mut folders = vec![PathBuf::from("cpp"), PathBuf::from("src")];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(folder)? {
-            let path = entry?.path();
-            if path.is_file() {
-                files.push(path);
-            } else {
-                folders.push(path);
-            }
-        }
-    }
-    files.sort();
-    let mut hash: u64 = 0xcbf2_9ce4_8422_2325;
-    for file in files {
-        for byte in fs::read(file)? {
-            hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        }
-    }
-    Ok(hash)
 }

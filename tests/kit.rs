@@ -13,6 +13,12 @@ pub fn program() -> &'static Path {
     Path::new(env!("CARGO_BIN_EXE_assemcad"))
 }
 
+/// Options, and where the factories of the tests are.
+fn with_factories<'a>(options: &[&'a str]) -> Vec<&'a str> {
+    let factories = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/factories");
+    [&["--factories", factories], options].concat()
+}
+
 /// A session, its root folder and the schemas of its tools' answers.
 pub struct Kit {
     pub session: Session,
@@ -31,10 +37,25 @@ impl Kit {
     }
 
     fn over(root: TempDir, options: &[&str]) -> Self {
-        let factories = concat!(env!("CARGO_MANIFEST_DIR"), "/../tests/factories");
-        let mut all = vec!["--factories", factories];
-        all.extend(options);
-        let mut session = Session::start(program(), root.path(), &all).unwrap();
+        let session = Session::spawn(program(), root.path(), &with_factories(options)).unwrap();
+        Self::of(root, session)
+    }
+
+    /// A server that is started here and logs into a file.
+    pub fn logging(root: TempDir, log: &Path, options: &[&str]) -> Self {
+        let mut command = std::process::Command::new(program());
+        command
+            .arg("serve")
+            .arg("--root")
+            .arg(root.path())
+            .args(with_factories(options))
+            .env("ASSEMCAD_LOG", "info")
+            .stderr(std::fs::File::create(log).unwrap());
+        Self::of(root, Session::of(&mut command).unwrap())
+    }
+
+    fn of(root: TempDir, session: Session) -> Self {
+        let mut session = session.open().unwrap();
         let tools = session.request("tools/list", json!({})).unwrap();
         let schemas = tools["result"]["tools"]
             .as_array()
@@ -57,6 +78,12 @@ impl Kit {
     pub fn killed_and_started_again(self) -> Self {
         self.session.kill().unwrap();
         Self::over(self.root, &[])
+    }
+
+    /// Ends the server, and gives the folder.
+    pub fn closed(self) -> TempDir {
+        self.session.close().unwrap();
+        self.root
     }
 
     pub fn root(&self) -> PathBuf {

@@ -16,6 +16,7 @@ mod gears;
 mod geometry;
 mod harness;
 mod keeping;
+mod kept;
 mod kit;
 mod mates;
 mod measure;

@@ -99,7 +99,8 @@ fn a_damaged_cached_solid_is_made_anew() {
     let entries = || -> Vec<(std::path::PathBuf, Vec<u8>)> {
         let paths = std::fs::read_dir(&cache)
             .unwrap()
-            .map(|e| e.unwrap().path());
+            .map(|e| e.unwrap().path())
+            .filter(|p| p.extension().is_some_and(|e| e == "solid"));
         let mut all: Vec<_> = paths
             .map(|p| (p.clone(), std::fs::read(p).unwrap()))
             .collect();

@@ -24,4 +24,4 @@ mod workshop;
 
 pub use assemcad_model::diagnostic::Faults;
 pub use verify::Verified;
-pub use workshop::{DEFAULT_LIMIT_S, DEFAULT_ROUNDS, Workshop};
+pub use workshop::{DEFAULT_CACHE_MB, DEFAULT_LIMIT_S, DEFAULT_ROUNDS, Workshop};

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use assemcad_factories::Registry;
-use assemcad_geometry::{Door, Terms};
+use assemcad_geometry::{Door, OnDisk, Terms};
 use assemcad_kernel::pool::Pool;
 use assemcad_model::diagnostic::Diagnostic;
 use assemcad_script::Evaluator;
@@ -21,6 +21,9 @@ pub const DEFAULT_ROUNDS: usize = 5;
 /// After how many seconds the trial of a source begins no further set of parameters where the command line says
 /// nothing.
 pub const DEFAULT_LIMIT_S: u64 = 120;
+
+/// How many MiB solids and answers may take on disk where the command line says nothing.
+pub const DEFAULT_CACHE_MB: u64 = 2048;
 
 /// What all operations work with: the factories, the kernel and the assemblies on disk.
 #[derive(Debug)]
@@ -50,7 +53,8 @@ pub struct Workshop {
 }
 
 impl Workshop {
-    /// A workshop over a root folder, which is made where it is missing.
+    /// A workshop over a root folder, which is made where it is missing. Solids and answers about them may take
+    /// `cache_bytes` below it.
     ///
     /// # Errors
     /// When the folder cannot be made or opened.
@@ -59,12 +63,22 @@ impl Workshop {
         registry: Registry,
         pool: Pool,
         evaluator: Evaluator,
+        cache_bytes: u64,
     ) -> Result<Self, Diagnostic> {
+        let store = Store::open(root)?;
+        let disk = OnDisk {
+            root: store.path().to_owned(),
+            bytes: cache_bytes,
+        };
+        let terms = Terms {
+            disk: Some(disk),
+            ..Terms::default()
+        };
         Ok(Self {
             registry,
-            door: Door::new(pool, Terms::default()),
+            door: Door::new(pool, &terms),
             evaluator,
-            store: Store::open(root)?,
+            store,
             remembered: Remembered::default(),
             admissions: Admissions::default(),
             nameless: Nameless::default(),

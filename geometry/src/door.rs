@@ -1,6 +1,7 @@
 //! The door: a question, its answer, and what is remembered between.
 
 use std::any::Any;
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -11,6 +12,7 @@ use sha2::{Digest, Sha256};
 use tokio::sync::Semaphore;
 
 use crate::gate::{Gate, Urgency};
+use crate::kept;
 
 /// Something that is asked of solids.
 ///
@@ -28,6 +30,21 @@ pub trait Question: Send + Sync {
     /// About how many bytes an answer takes.
     fn bytes(answer: &Self::Answer) -> usize {
         size_of_val(answer) + 200
+    }
+
+    /// Whether the answer to this question is kept on disk, too.
+    fn is_kept(&self) -> bool {
+        false
+    }
+
+    /// An answer as bytes; none where it cannot be kept.
+    fn to_bytes(_answer: &Self::Answer) -> Option<Vec<u8>> {
+        None
+    }
+
+    /// An answer from such bytes; none where they are none.
+    fn from_bytes(_bytes: &[u8]) -> Option<Self::Answer> {
+        None
     }
 
     /// Finds the answer.
@@ -75,6 +92,8 @@ pub struct Counts {
     pub asked: u64,
     /// Of these, answers that were found out anew.
     pub computed: u64,
+    /// Of these, answers that stood on disk.
+    pub recalled: u64,
     /// Jobs that kernel processes were given.
     pub kernel_calls: u64,
     /// Questions that were not answered.
@@ -82,16 +101,29 @@ pub struct Counts {
 }
 
 /// How the door is opened.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct Terms {
-    /// How many bytes of answers are remembered.
+    /// How many bytes of answers are remembered in memory.
     pub memory_bytes: u64,
+    /// Where answers are kept on disk; nowhere where nothing is said.
+    pub disk: Option<OnDisk>,
+}
+
+/// How answers are kept on disk.
+#[derive(Debug, Clone)]
+pub struct OnDisk {
+    /// The root folder: they stand in `.assemcad/cache` below it, beside the solids.
+    pub root: PathBuf,
+    /// How many bytes answers and solids together may take. It is looked after from time to time: what was written
+    /// in between comes on top.
+    pub bytes: u64,
 }
 
 impl Default for Terms {
     fn default() -> Self {
         Self {
             memory_bytes: 256 << 20,
+            disk: None,
         }
     }
 }
@@ -111,8 +143,10 @@ pub struct Door {
     /// Threads for what is found out here, without the kernel.
     threads: Semaphore,
     kept: Cache<[u8; 32], Kept>,
+    disk: Option<kept::Kept>,
     asked: AtomicU64,
     computed: AtomicU64,
+    recalled: AtomicU64,
     kernel_calls: AtomicU64,
     failed: AtomicU64,
 }
@@ -120,7 +154,7 @@ pub struct Door {
 impl Door {
     /// A door to the kernel behind some workers.
     #[must_use]
-    pub fn new(pool: Pool, terms: Terms) -> Self {
+    pub fn new(pool: Pool, terms: &Terms) -> Self {
         let cores = std::thread::available_parallelism().map_or(2, usize::from);
         let kept = Cache::builder()
             .max_capacity(terms.memory_bytes)
@@ -131,8 +165,10 @@ impl Door {
             pool,
             threads: Semaphore::new(cores),
             kept,
+            disk: terms.disk.as_ref().and_then(kept::Kept::open),
             asked: AtomicU64::new(0),
             computed: AtomicU64::new(0),
+            recalled: AtomicU64::new(0),
             kernel_calls: AtomicU64::new(0),
             failed: AtomicU64::new(0),
         }
@@ -145,6 +181,7 @@ impl Door {
         Counts {
             asked: of(&self.asked),
             computed: of(&self.computed),
+            recalled: of(&self.recalled),
             kernel_calls: of(&self.kernel_calls),
             failed: of(&self.failed),
         }
@@ -183,17 +220,20 @@ impl Asker<'_> {
         self.door.pool.size()
     }
 
-    /// The answer to a question: remembered, or found out once for all who ask at the same time. A failure is
-    /// not remembered.
+    /// The answer to a question: remembered, in memory or on disk, or found out once for all who ask at the same
+    /// time. A failure is not remembered.
     ///
     /// # Errors
     /// Why there is no answer.
     pub async fn ask<Q: Question>(&self, question: &Q) -> Result<Q::Answer, Failure> {
         let door = self.door;
         door.asked.fetch_add(1, Ordering::Relaxed);
+        let key = Key::of(question);
         let find = async {
-            door.computed.fetch_add(1, Ordering::Relaxed);
-            let answer = question.answer(self).await?;
+            let answer = match self.recall(question, key).await {
+                Some(answer) => answer,
+                None => self.find(question, key).await?,
+            };
             let bytes = u32::try_from(Q::bytes(&answer)).unwrap_or(u32::MAX);
             Ok(Kept {
                 answer: Arc::new(answer),
@@ -202,7 +242,7 @@ impl Asker<'_> {
         };
         let kept = door
             .kept
-            .try_get_with(Key::of(question), find)
+            .try_get_with(key, find)
             .await
             .map_err(|failure: Arc<Failure>| {
                 door.failed.fetch_add(1, Ordering::Relaxed);
@@ -212,6 +252,26 @@ impl Asker<'_> {
             Some(answer) => Ok(answer.clone()),
             None => Err(nonsense()),
         }
+    }
+
+    /// The answer on disk, where there is one.
+    async fn recall<Q: Question>(&self, question: &Q, key: [u8; 32]) -> Option<Q::Answer> {
+        let disk = self.door.disk.as_ref().filter(|_| question.is_kept())?;
+        let (answers, of) = (disk.answers(), Q::from_bytes as fn(&[u8]) -> _);
+        let found = self.work(move || kept::read(&answers, key, of)).await;
+        let answer = found.ok().flatten()?;
+        self.door.recalled.fetch_add(1, Ordering::Relaxed);
+        Some(answer)
+    }
+
+    /// Finds an answer out, and has it kept.
+    async fn find<Q: Question>(&self, question: &Q, key: [u8; 32]) -> Result<Q::Answer, Failure> {
+        self.door.computed.fetch_add(1, Ordering::Relaxed);
+        let answer = question.answer(self).await?;
+        if let Some(disk) = self.door.disk.as_ref().filter(|_| question.is_kept()) {
+            disk.write(key, answer.clone(), Q::to_bytes);
+        }
+        Ok(answer)
     }
 
     /// Has a job done by a kernel process. Where that was lost, or ran out of memory, which it may have been short of

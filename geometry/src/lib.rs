@@ -9,6 +9,7 @@
 
 mod door;
 mod gate;
+mod kept;
 pub mod narrow;
 mod pair;
 pub mod pose;
@@ -16,7 +17,7 @@ pub mod questions;
 
 mod ask;
 
-pub use door::{Asker, Counts, Door, Key, Question, Terms};
+pub use door::{Asker, Counts, Door, Key, OnDisk, Question, Terms};
 pub use gate::Urgency;
 pub use pair::PlacedSolid;
 pub use questions::beyond::Stray;

@@ -42,9 +42,10 @@ pub fn version() -> String {
     format!("OCCT {}", env!("ASSEMCAD_OCCT_VERSION"))
 }
 
-/// What a cached solid depends on beside its recipe: OCCT, the sources of this crate, the processor.
+/// What a solid, and what is found out about one, depends on beside its recipe: OCCT, the sources of this crate, the
+/// processor.
 #[must_use]
-pub(crate) fn fingerprint() -> String {
+pub fn fingerprint() -> String {
     format!(
         "occt-{}/{}/{}",
         env!("ASSEMCAD_OCCT_VERSION"),

@@ -12,10 +12,10 @@ pub type Pool = assemcad_workers::Pool<KernelWork>;
 /// How the kernel's workers are started.
 #[derive(Debug, Clone)]
 pub struct Config {
-    /// The program; it is called as `program worker --memory-mb N --cpu-s N [--cache FOLDER]`.
+    /// The program; it is called as `program worker --memory-mb N --cpu-s N [--root FOLDER]`.
     pub program: PathBuf,
-    /// Folder of the cache of solids.
-    pub cache: Option<PathBuf>,
+    /// The root folder, below which solids are kept on disk; nowhere where there is none.
+    pub root: Option<PathBuf>,
     /// How many workers, at least one.
     pub workers: usize,
     /// What one request may use.
@@ -24,10 +24,10 @@ pub struct Config {
 
 impl From<Config> for assemcad_workers::Config {
     fn from(config: Config) -> Self {
-        let cache = config.cache.into_iter();
+        let root = config.root.into_iter();
         Self {
             program: config.program,
-            arguments: cache.flat_map(|f| ["--cache".into(), f.into()]).collect(),
+            arguments: root.flat_map(|f| ["--root".into(), f.into()]).collect(),
             workers: config.workers,
             limits: config.limits,
         }

@@ -14,7 +14,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Duration;
 
-use assemcad_assembly::{DEFAULT_LIMIT_S, DEFAULT_ROUNDS, Workshop};
+use assemcad_assembly::{DEFAULT_CACHE_MB, DEFAULT_LIMIT_S, DEFAULT_ROUNDS, Workshop};
 use assemcad_factories::Registry;
 use assemcad_kernel::pool::{Config, Limits, Pool};
 use assemcad_kernel::worker;
@@ -65,6 +65,10 @@ struct Serve {
     /// Elapsed time of one kernel request, in seconds, counted from its start.
     #[arg(long, default_value_t = Limits::default().wall_s)]
     worker_wall_s: u64,
+    /// How much solids and answers about them may take on disk (ROOT/.assemcad/cache), in MiB. The longest unused go
+    /// first; all of it can be made again.
+    #[arg(long, default_value_t = DEFAULT_CACHE_MB)]
+    cache_mb: u64,
     /// How many wrong rounds a draft has before its decomposition counts as failed.
     #[arg(long, default_value_t = DEFAULT_ROUNDS)]
     draft_rounds: usize,
@@ -83,7 +87,7 @@ struct Worker {
     #[arg(long)]
     cpu_s: u64,
     #[arg(long)]
-    cache: Option<PathBuf>,
+    root: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]
@@ -107,7 +111,7 @@ fn main() -> ExitCode {
             let settings = worker::Settings {
                 memory_mb: options.memory_mb,
                 cpu_s: options.cpu_s,
-                cache: options.cache,
+                root: options.root,
             };
             worker::run(settings).map_err(|e| e.to_string())
         }
@@ -184,7 +188,7 @@ async fn workshop(options: Serve) -> Result<Workshop, String> {
         .map_err(|e| format!("--root: {e}"))?;
     let pool = Pool::new(Config {
         program,
-        cache: Some(root.join(".assemcad").join("cache")),
+        root: Some(root.clone()),
         workers,
         limits: Limits {
             memory_mb: options.worker_memory_mb,
@@ -192,8 +196,14 @@ async fn workshop(options: Serve) -> Result<Workshop, String> {
             wall_s: options.worker_wall_s,
         },
     });
-    let mut workshop =
-        Workshop::open(&root, registry, pool, evaluator).map_err(|d| d.to_string())?;
+    let mut workshop = Workshop::open(
+        &root,
+        registry,
+        pool,
+        evaluator,
+        options.cache_mb.saturating_mul(1 << 20),
+    )
+    .map_err(|d| d.to_string())?;
     workshop.draft_rounds = options.draft_rounds;
     workshop.synthesis_rounds = options.synthesis_rounds;
     workshop.synthesis_limit = Duration::from_secs(options.synthesis_s);

@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 use std::io::{BufRead, BufReader, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::{Duration, Instant};
@@ -38,8 +38,12 @@ pub struct Answer {
 impl Session {
     /// Starts a server over a root folder and opens the session.
     pub fn start(program: &Path, root: &Path, options: &[&str]) -> Result<Self, String> {
-        let mut session = Self::spawn(program, root, options)?;
-        let hello = session.request(
+        Self::spawn(program, root, options)?.open()
+    }
+
+    /// Opens the session.
+    pub fn open(mut self) -> Result<Self, String> {
+        let hello = self.request(
             "initialize",
             json!({
                 "protocolVersion": "2025-11-25", "capabilities": {},
@@ -49,21 +53,27 @@ impl Session {
         if hello.pointer("/result/serverInfo/name") != Some(&json!("assemcad")) {
             return Err(format!("not our server: {hello}"));
         }
-        session
-            .send(&json!({"jsonrpc": "2.0", "method": "notifications/initialized"}).to_string())?;
-        Ok(session)
+        self.send(&json!({"jsonrpc": "2.0", "method": "notifications/initialized"}).to_string())?;
+        Ok(self)
     }
 
     /// Starts a server without opening the session.
     pub fn spawn(program: &Path, root: &Path, options: &[&str]) -> Result<Self, String> {
-        let mut child = Command::new(program)
-            .arg("serve")
-            .arg("--root")
-            .arg(root)
-            .args(options)
+        Self::of(
+            Command::new(program)
+                .arg("serve")
+                .arg("--root")
+                .arg(root)
+                .args(options),
+        )
+    }
+
+    /// The session of a server that is not yet started, and what it logs.
+    pub fn of(command: &mut Command) -> Result<Self, String> {
+        let program = PathBuf::from(command.get_program());
+        let mut child = command
             .stdin(Stdio::piped())
             .stdout(Stdio::piped())
-            .stderr(Stdio::inherit())
             .spawn()
             .map_err(|e| format!("{}: {e}", program.display()))?;
         let input = child.stdin.take();

@@ -189,10 +189,11 @@ impl Offer {
         let done = done.map(answer::short).map_err(told::first_of);
         let counts = workshop.door.counts();
         tracing::info!(
-            "geometry: asked={} computed={} kernel_calls={}",
+            "geometry: asked={} computed={} kernel_calls={} recalled={}",
             counts.asked,
             counts.computed,
-            counts.kernel_calls
+            counts.kernel_calls,
+            counts.recalled
         );
         done
     }

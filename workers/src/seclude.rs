@@ -6,15 +6,17 @@
 //! server says so when it starts.
 
 use std::io;
+use std::os::fd::OwnedFd;
 use std::path::PathBuf;
 
 use rustix::process::{Resource, Rlimit, setrlimit};
 
 /// What a worker keeps.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Default)]
 pub struct Keeps {
-    /// Folders in which it may read and write files; none may be opened elsewhere.
-    pub folders: Vec<PathBuf>,
+    /// Open folders in which it may read and write files; none may be opened elsewhere. Open ones, since what a path
+    /// means may change meanwhile.
+    pub folders: Vec<OwnedFd>,
     /// Files and folders that it may read.
     pub read: Vec<PathBuf>,
 }
@@ -134,17 +136,19 @@ mod system {
             .handle_access(AccessNet::from_all(LANDLOCK))?
             .scope(Scope::from_all(LANDLOCK))?
             .create()?;
-        let folders = keeps.folders.iter().map(|path| (path, writing));
-        for (path, access) in folders.chain(keeps.read.iter().map(|path| (path, reading))) {
+        for folder in &keeps.folders {
+            rules = rules.add_rule(PathBeneath::new(folder, writing))?;
+        }
+        for path in &keeps.read {
             // What is not there cannot be opened, with or without a rule.
             let Ok(opened) = PathFd::new(path) else {
                 continue;
             };
             let file = !path.is_dir();
             let access = if file {
-                access & AccessFs::from_file(LANDLOCK)
+                reading & AccessFs::from_file(LANDLOCK)
             } else {
-                access
+                reading
             };
             rules = rules.add_rule(PathBeneath::new(opened, access))?;
         }

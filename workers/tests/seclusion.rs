@@ -259,7 +259,10 @@ fn main() {
         Some("try") => {
             let folder = arguments.get(6).filter(|f| !f.is_empty());
             let keeps = Keeps {
-                folders: folder.iter().map(PathBuf::from).collect(),
+                folders: folder
+                    .iter()
+                    .map(|f| std::fs::File::open(f).unwrap().into())
+                    .collect(),
                 read: folder.iter().map(|_| "/proc/self".into()).collect(),
             };
             let limits = Limits {

@@ -1,8 +1,10 @@
 //! Whether two placed solids overlap beyond where they are meant to.
 
 use assemcad_kernel::protocol::Failure;
+use serde::{Deserialize, Serialize};
 
 use crate::door::{Asker, Key, Question};
+use crate::kept::kept_as_json;
 use crate::narrow::{Common, Sleeve, common_beside, strays};
 use crate::pair::Pair;
 
@@ -15,7 +17,7 @@ pub struct Beyond {
 }
 
 /// What is known of it.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Stray {
     /// They have nothing in common there.
     Nothing,
@@ -34,6 +36,8 @@ impl Beyond {
 impl Question for Beyond {
     type Answer = Stray;
     const KIND: &'static str = "beyond";
+
+    kept_as_json!();
 
     fn key(&self, into: &mut Key) {
         self.pair.key(into);

@@ -3,6 +3,7 @@
 use assemcad_kernel::protocol::{Built, Failure, Job, Named, Reply};
 
 use crate::door::{Asker, Key, Question, nonsense};
+use crate::kept::kept_as_json;
 
 /// Makes a solid and measures it. The kernel answers only for one valid closed solid of positive volume.
 #[derive(Debug)]
@@ -11,6 +12,8 @@ pub struct Build<'a>(pub &'a Named);
 impl Question for Build<'_> {
     type Answer = Built;
     const KIND: &'static str = "built";
+
+    kept_as_json!();
 
     fn key(&self, into: &mut Key) {
         into.text(self.0.hash());

@@ -5,6 +5,7 @@ use assemcad_kernel::protocol::{Failure, Job, Reply};
 use assemcad_model::frame::Placement;
 
 use crate::door::{Asker, Key, Question, nonsense};
+use crate::kept::kept_as_json;
 use crate::narrow::touch;
 use crate::pair::Pair;
 use crate::pose::{rounded_direction, rounded_point};
@@ -42,6 +43,8 @@ impl Contact {
 impl Question for Contact {
     type Answer = Touch;
     const KIND: &'static str = "contact";
+
+    kept_as_json!();
 
     fn key(&self, into: &mut Key) {
         self.pair.key(into);

@@ -6,6 +6,7 @@ use assemcad_kernel::protocol::{Failure, Job, Reply};
 
 use super::measured::chosen;
 use crate::door::{Asker, Key, Question, nonsense};
+use crate::kept::kept_as_json;
 
 /// The smallest distance.
 #[derive(Debug)]
@@ -19,6 +20,8 @@ pub struct Distance<'a> {
 impl Question for Distance<'_> {
     type Answer = Gap;
     const KIND: &'static str = "distance";
+
+    kept_as_json!();
 
     fn key(&self, into: &mut Key) {
         chosen(self.a, into);

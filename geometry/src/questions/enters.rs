@@ -3,6 +3,7 @@
 use assemcad_kernel::protocol::Failure;
 
 use crate::door::{Asker, Key, Question};
+use crate::kept::kept_as_json;
 use crate::narrow::enter;
 use crate::pair::Pair;
 
@@ -13,6 +14,8 @@ pub struct Enters(pub(crate) Pair);
 impl Question for Enters {
     type Answer = bool;
     const KIND: &'static str = "enters";
+
+    kept_as_json!();
 
     fn key(&self, into: &mut Key) {
         self.0.key(into);

@@ -4,6 +4,7 @@ use assemcad_kernel::asked::{Chosen, Measured};
 use assemcad_kernel::protocol::{Failure, Job, Reply};
 
 use crate::door::{Asker, Key, Question, nonsense};
+use crate::kept::kept_as_json;
 
 /// Measures a placed part or faces of it.
 #[derive(Debug)]
@@ -19,6 +20,8 @@ pub(super) fn chosen(of: &Chosen, into: &mut Key) {
 impl Question for Measure<'_> {
     type Answer = Measured;
     const KIND: &'static str = "measure";
+
+    kept_as_json!();
 
     fn key(&self, into: &mut Key) {
         chosen(self.0, into);

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use assemcad_kernel::protocol::Failure;
 
 use crate::door::{Asker, Key, Question};
+use crate::kept::kept_as_json;
 use crate::narrow::meet::{Meeting, meetings};
 use crate::pair::Pair;
 
@@ -20,6 +21,8 @@ impl Question for Meetings {
     fn key(&self, into: &mut Key) {
         self.0.key(into);
     }
+
+    kept_as_json!();
 
     fn bytes(found: &Self::Answer) -> usize {
         let spots: usize = found.iter().map(|m| m.spots.len()).sum();

@@ -49,6 +49,19 @@ impl Question for Mesh<'_> {
         mesh.map_or(200, |m| m.positions.len() * 48 + m.triangles.len() * 12)
     }
 
+    /// Those of whole parts, which verification looks at, too; not those of one picture.
+    fn is_kept(&self) -> bool {
+        matches!(self.body, Body::Whole { .. })
+    }
+
+    fn to_bytes(mesh: &Self::Answer) -> Option<Vec<u8>> {
+        mesh.as_ref()?.to_bytes().ok()
+    }
+
+    fn from_bytes(bytes: &[u8]) -> Option<Self::Answer> {
+        Triangles::from_bytes(bytes).map(|mesh| Some(Arc::new(mesh)))
+    }
+
     async fn answer(&self, door: &Asker<'_>) -> Result<Self::Answer, Failure> {
         let job = Job::Tessellate {
             body: self.body.clone(),

@@ -4,6 +4,7 @@ use assemcad_kernel::protocol::{CommonVolume, Failure, Job, Reply};
 use assemcad_model::frame::Placement;
 
 use crate::door::{Asker, Key, Question, nonsense};
+use crate::kept::kept_as_json;
 use crate::narrow::{Common, common, enter};
 use crate::pair::Pair;
 use crate::pose;
@@ -29,6 +30,8 @@ impl Question for Overlap {
     /// In the frame of the pair's first solid.
     type Answer = CommonVolume;
     const KIND: &'static str = "overlap";
+
+    kept_as_json!();
 
     fn key(&self, into: &mut Key) {
         self.pair.key(into);

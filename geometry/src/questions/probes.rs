@@ -4,6 +4,7 @@ use assemcad_kernel::protocol::{Failure, Job, Named, Reply};
 use assemcad_model::probe::{Answer, Probe};
 
 use crate::door::{Asker, Key, Question, nonsense};
+use crate::kept::kept_as_json;
 
 /// Probes of a solid: an answer to each, in order.
 #[derive(Debug)]
@@ -17,6 +18,8 @@ pub struct Probes<'a> {
 impl Question for Probes<'_> {
     type Answer = Vec<Answer>;
     const KIND: &'static str = "probes";
+
+    kept_as_json!();
 
     fn key(&self, into: &mut Key) {
         into.text(self.solid.hash());

@@ -3,6 +3,7 @@
 use assemcad_kernel::protocol::{Failure, Job, Named, Reply};
 
 use crate::door::{Asker, Key, Question, nonsense};
+use crate::kept::kept_as_json;
 
 /// A line in a part's frame: a point in mm and a unit direction.
 pub type Line = ([f64; 3], [f64; 3]);
@@ -19,6 +20,8 @@ pub struct Revolution<'a> {
 impl Question for Revolution<'_> {
     type Answer = Vec<bool>;
     const KIND: &'static str = "revolution";
+
+    kept_as_json!();
 
     fn key(&self, into: &mut Key) {
         into.text(self.solid.hash());

@@ -32,6 +32,18 @@ impl Question for Skin<'_> {
         skin.bytes()
     }
 
+    fn is_kept(&self) -> bool {
+        true
+    }
+
+    fn to_bytes(skin: &Arc<Boundary>) -> Option<Vec<u8>> {
+        skin.skin().to_bytes().ok()
+    }
+
+    fn from_bytes(bytes: &[u8]) -> Option<Arc<Boundary>> {
+        made_ready(bytes)
+    }
+
     async fn answer(&self, door: &Asker<'_>) -> Result<Arc<Boundary>, Failure> {
         let built = door.ask(&Build(self.0)).await?;
         let size = built
@@ -48,8 +60,13 @@ impl Question for Skin<'_> {
         let (Reply::Skin, bytes) = door.kernel(&job).await? else {
             return Err(nonsense());
         };
-        let skin = move || KernelSkin::from_bytes(&bytes).and_then(Boundary::new);
-        let skin = door.work(skin).await?;
-        skin.map(Arc::new).ok_or_else(nonsense)
+        let skin = door.work(move || made_ready(&bytes)).await?;
+        skin.ok_or_else(nonsense)
     }
+}
+
+fn made_ready(bytes: &[u8]) -> Option<Arc<Boundary>> {
+    KernelSkin::from_bytes(bytes)
+        .and_then(Boundary::new)
+        .map(Arc::new)
 }

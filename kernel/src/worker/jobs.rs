@@ -1,9 +1,9 @@
 //! The jobs themselves.
 
 use std::cell::RefCell;
-use std::path::PathBuf;
 use std::rc::Rc;
 
+use assemcad_cache::{Cache, Entry};
 use assemcad_model::canonical::sha256;
 use assemcad_model::frame::Placement;
 use assemcad_model::ports::Port;
@@ -11,7 +11,7 @@ use assemcad_model::recipe::{Call, Recipe};
 use assemcad_workers::Tell;
 use lru::LruCache;
 
-use super::cache::{self, Disk, Entry};
+use super::kept;
 use crate::error::{KernelError, Result};
 use crate::mesh::Mesh;
 use crate::protocol::{
@@ -53,16 +53,15 @@ pub(super) type Found = (String, Rc<Solid>, Source);
 #[derive(Debug)]
 pub(super) struct Bench {
     memory: LruCache<String, Rc<Solid>>,
-    disk: Option<Disk>,
+    disk: Option<Cache>,
     /// Whether the job at hand names a solid that is neither known here nor said how to make.
     unknown: bool,
 }
 
 impl Bench {
-    pub(super) fn new(folder: Option<PathBuf>) -> Self {
-        let disk = folder.map(|f| Disk::new(f, &crate::fingerprint()));
+    pub(super) fn new(disk: Option<Cache>) -> Self {
         Self {
-            memory: cache::in_memory(),
+            memory: kept::in_memory(),
             disk,
             unknown: false,
         }
@@ -268,7 +267,7 @@ impl Bench {
         if let Some(known) = self.memory.get(&hash) {
             return Ok((hash, Rc::clone(known), Source::Memory));
         }
-        let entry = self.disk.as_ref().map_or(Entry::Missing, |d| d.read(&hash));
+        let entry = self.disk.as_ref().map_or(Entry::Missing, |d| d.get(&hash));
         let on_disk = match &entry {
             Entry::Sound(payload) => Solid::from_payload(payload),
             Entry::Missing | Entry::Damaged => None,
@@ -309,11 +308,8 @@ impl Bench {
             ports,
             mesh: RefCell::default(),
         };
-        if let Some(disk) = &self.disk
-            && let Err(e) = disk.write(hash, &made.payload(&bytes)?)
-        {
-            // The cache is a convenience: without it the solid is made again next time.
-            tracing::warn!("a solid could not be kept on disk: {e}");
+        if let Some(disk) = &self.disk {
+            disk.put(hash, &made.payload(&bytes)?);
         }
         Ok(made)
     }

@@ -1,16 +1,20 @@
 //! The kernel's worker process.
 
 mod asked;
-mod cache;
 mod jobs;
+mod kept;
 
 use std::io;
+use std::os::fd::AsFd;
 use std::path::PathBuf;
+use std::sync::Arc;
 
+use assemcad_cache::Folder;
 use assemcad_workers::{Handler, Keeps, Limits, Refusal, Tell};
 
 use crate::memory;
 use crate::protocol::{Job, KernelWork, Reply};
+pub use kept::solids;
 
 /// A process that holds more than this share of its limit on address space after a job does no other one.
 const MOST_KEPT: f64 = 0.5;
@@ -22,8 +26,8 @@ pub struct Settings {
     pub memory_mb: u64,
     /// Processor time of one job in seconds.
     pub cpu_s: u64,
-    /// Folder of the cache of solids.
-    pub cache: Option<PathBuf>,
+    /// The root folder, below which solids are kept on disk.
+    pub root: Option<PathBuf>,
 }
 
 /// Serves jobs from the socket that is this process's standard input, until it closes.
@@ -36,17 +40,25 @@ pub fn run(settings: Settings) -> io::Result<()> {
         cpu_s: settings.cpu_s,
         ..Limits::default()
     };
+    let solids = settings.root.and_then(|root| match Folder::open(&root) {
+        Ok(folder) => Some(solids(Arc::new(folder))),
+        Err(e) => {
+            // The server says so aloud, once.
+            tracing::debug!("solids cannot be kept on disk: {e}");
+            None
+        }
+    });
+    let folder = solids.as_ref().map(|s| s.folder().as_fd());
     let keeps = Keeps {
-        folders: settings.cache.iter().cloned().collect(),
+        folders: folder
+            .map(|f| f.try_clone_to_owned())
+            .transpose()?
+            .into_iter()
+            .collect(),
         // How much memory it has in use.
         read: vec!["/proc/self".into()],
     };
-    if let Some(folder) = &settings.cache
-        && let Err(e) = std::fs::create_dir_all(folder)
-    {
-        tracing::warn!("solids cannot be kept on disk: {e}");
-    }
-    assemcad_workers::serve::<KernelWork>(limits, &keeps, jobs::Bench::new(settings.cache))
+    assemcad_workers::serve::<KernelWork>(limits, &keeps, jobs::Bench::new(solids))
 }
 
 impl Handler<KernelWork> for jobs::Bench {
