@@ -117,12 +117,12 @@ fn judge(report: &Value, check: &str, fails: bool, id: &str) {
         .iter()
         .filter(|c| **c != check && **c != "axioms")
         // What touches nothing is held by nothing.
-        .filter(|c| !(check == "contact" && **c == "holding"))
+        .filter(|c| !(["contact", "interference"].contains(&check) && **c == "holding"))
         .collect();
     assert!(bad.contains(&check) && other.is_empty(), "{id}: {bad:?}");
     for f in report["findings"].as_array().unwrap() {
         if f["verdict"] == "fail" {
-            let follows = check == "contact" && f["check"] == "holding";
+            let follows = ["contact", "interference"].contains(&check) && f["check"] == "holding";
             assert!(f["check"] == check || follows, "{id}: {f}");
         }
     }
