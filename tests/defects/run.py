@@ -12,6 +12,7 @@ import copy
 import json
 import pathlib
 import queue
+import re
 import subprocess
 import sys
 import tempfile
@@ -97,7 +98,7 @@ def load(folder, only):
                     edit(assembly, change)
             except (ValueError, KeyError, IndexError) as e:
                 raise SystemExit(f"{case['id']}: the edits cannot be made: {e!r}")
-            assembly["id"] = case["id"].replace("/", "__")[:60]
+            assembly["id"] = re.sub(r"[^a-z0-9_]", "_", case["id"])
             case["assembly"] = assembly
             cases.append(case)
     return cases
@@ -188,11 +189,25 @@ def judge(case, answer):
 
     if any(f["verdict"] == "fail" and here(f) for f in wrong):
         return "found", codes
-    if not wrong and any(a in d.get("where", "") or a in d.get("message", "") for d in errors for a in at):
+    if not wrong and at & blamed(case["assembly"], errors):
         return "found", codes
     if verdict == "indeterminate" or any(here(f) for f in wrong):
         return "open", codes
     return "elsewhere", codes
+
+
+def blamed(assembly, errors):
+    """The parts and mates that a refused draft is refused for; none where the words are wrong, not the design."""
+    out = set()
+    for d in errors:
+        where = re.search(r"(parts|mates)\[(\d+)\](.*)", d.get("where", ""))
+        if not where or where[3].endswith("mate_type") or d["code"] in ("name_invalid", "specification_invalid"):
+            continue
+        thing = assembly[where[1]][int(where[2])]
+        out.add(thing["id"])
+        if where[1] == "mates":
+            out |= {thing["base"]["ref"], thing["incoming"]["ref"]}
+    return out
 
 
 def told(answer, most=6):
