@@ -1,5 +1,5 @@
 # The two commands of the README: `make demo` and `make test`. Both set up what they need.
-.PHONY: setup demo test faults test-factories fuzz soak peers-cadquery speed lint clean
+.PHONY: setup demo test faults faults-all test-factories fuzz soak peers-cadquery speed lint clean
 CARGO ?= cargo
 
 demo: setup
@@ -53,6 +53,11 @@ speed: setup
 faults: setup
 	$(CARGO) build --quiet -p assemcad --bin assemcad --example faults
 	./target/debug/examples/faults
+
+# The larger suite, about five hundred cases, from outside over the protocol; it needs python3 with PyYAML.
+faults-all: setup
+	$(CARGO) build --quiet --release -p assemcad --bin assemcad
+	python3 tests/defects/run.py --bin target/release/assemcad --jobs 2
 
 setup:
 	@scripts/setup
