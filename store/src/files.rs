@@ -26,9 +26,7 @@ impl Store {
     /// Reads a value from a JSON file, `None` where there is no such file or it holds something else.
     #[must_use]
     pub fn read_json<T: serde::de::DeserializeOwned>(&self, path: &str) -> Option<T> {
-        let mut bytes = Vec::new();
-        self.root.open(path).ok()?.read_to_end(&mut bytes).ok()?;
-        serde_json::from_slice(&bytes).ok()
+        serde_json::from_slice(&self.read_bytes(path)?).ok()
     }
 
     /// Reads a file below the root, `None` where there is none.
